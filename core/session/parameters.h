@@ -1,0 +1,114 @@
+#pragma once
+/// The parameter table: every number a user can turn is one row. Sliders, command-line options,
+/// session files, help and tests are made from it.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace chartflood {
+
+/// Values of all parameters; the initialisers are the defaults. Field comments name the option id.
+struct Parameters {
+  std::string method = "t-flooding";  ///< method
+  int charts = 20;                    ///< charts: K
+  double sharpAngle = 45;             ///< sharp-angle: T_a, degrees
+  double speedPower = 1;              ///< speed-power: p of equation 7
+  double speedEpsilon = 1e-3;         ///< speed-epsilon: epsilon of equation 7, share of max |K|
+  double offsetDamping = 0.3;         ///< offset-damping: beta of section 3.5
+  bool offsets = true;                ///< offsets
+  bool lookahead = true;              ///< lookahead
+  double areaShare = 1e-3;            ///< area-share: eta
+  int rngSeed = 1;                    ///< rng-seed
+  int maxIterations = 60;             ///< max-iterations
+  int patience = 10;                  ///< patience: n of section 3.4
+  bool detectCycles = true;           ///< detect-cycles
+  std::string search = "auto";        ///< search
+  std::string start = "auto";         ///< start
+  std::string refine = "moves";       ///< refine
+  double cleanUp = 1000;              ///< clean-up: mu
+
+  bool operator==(const Parameters&) const = default;
+};
+
+using ParameterValue = std::variant<bool, int, double, std::string>;
+
+/// How a slider runs over its range.
+enum class SliderScale {
+  Linear,
+  Log,      ///< equal ratios take equal lengths
+  LogZero,  ///< like Log, with 0 at the left end
+};
+
+/// The first stage that a change makes stale; all later ones follow.
+enum class Stage { Gauss, Graph, Seeds, Flood, Iterations, Refine };
+
+/// One value of a choice parameter.
+struct ParameterChoice {
+  const char* id;
+  const char* label;
+  bool built;  ///< false: known to the command line, refused with a sentence
+};
+
+/// One row of the table.
+struct ParameterInfo {
+  using Member = std::variant<bool Parameters::*, int Parameters::*, double Parameters::*,
+                              std::string Parameters::*>;
+  const char* id;      ///< option name without dashes, key in files
+  const char* label;   ///< beside the slider
+  const char* symbol;  ///< the paper's symbol, "" if it has none
+  Member member;
+  double sliderMin = 0, sliderMax = 1;  ///< range of the slider
+  double hardMin = 0, hardMax = 1;      ///< range of what may be typed
+  bool hardMinExcluded = false;         ///< hardMin itself is refused
+  SliderScale scale = SliderScale::Linear;
+  const char* unit = "";    ///< "deg", "sr", "" for plain numbers
+  const char* format = "";  ///< printf format of the number on the slider
+  Stage stage = Stage::Flood;
+  const char* group = "";                     ///< section of the panel and of --help
+  const char* help = "";                      ///< one or two sentences in an artist's words
+  const char* source = "";                    ///< section of the paper, "" when beyond it
+  std::vector<ParameterChoice> choices = {};  ///< of string parameters
+};
+
+/// All rows in the order of the panel.
+std::span<const ParameterInfo> parameterTable();
+
+/// The row with this id, or nullptr.
+const ParameterInfo* findParameter(std::string_view id);
+
+ParameterValue parameterValue(const Parameters& values, const ParameterInfo& info);
+ParameterValue parameterDefault(const ParameterInfo& info);
+
+/// Stores a value after checking its type and hard range.
+/// \throws UsageError that names the option, the value and what is allowed.
+void setParameter(Parameters& values, const ParameterInfo& info, const ParameterValue& value);
+
+/// Reads "20", "1e-3", "on", "false", "moves" and stores it. \throws UsageError
+void setParameterFromText(Parameters& values, const ParameterInfo& info, std::string_view text);
+
+/// Text that setParameterFromText reads back to the same value.
+std::string parameterText(const ParameterValue& value);
+
+/// The first stage in which two sets of values differ; false when they are equal.
+bool firstDifference(const Parameters& a, const Parameters& b, Stage& stage);
+
+/// Named values for a purpose.
+struct Preset {
+  const char* id;     ///< "paper"
+  const char* label;  ///< "Paper"
+  const char* help;
+  std::vector<std::pair<const char*, ParameterValue>> values;
+};
+std::span<const Preset> presetTable();
+const Preset* findPreset(std::string_view id);
+/// Values of a preset over the defaults; the number of charts and the generator seed of `base` stay
+/// unless the preset names them.
+Parameters applyPreset(const Parameters& base, const Preset& preset);
+
+/// The candidate closest to `word` in edits, or "" when none is near.
+std::string nearestSpelling(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace chartflood
