@@ -39,7 +39,7 @@ using ParameterValue = std::variant<bool, int, double, std::string>;
 enum class SliderScale {
   Linear,
   Log,      ///< equal ratios take equal lengths
-  LogZero,  ///< like Log, with 0 at the left end
+  LogZero,  ///< like Log from sliderMin on, with 0 as one more place at the left end
 };
 
 /// The first stage that a change makes stale; all later ones follow.

@@ -1,0 +1,322 @@
+// The rows of the parameter table and the presets: data, and the look-ups by id.
+
+#include <algorithm>
+#include <limits>
+
+#include "core/session/parameters.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr double kLargestInt = std::numeric_limits<int>::max();
+constexpr double kMostCharts = 1e9;
+
+std::vector<ParameterInfo> chartRows() {
+  return {
+      {.id = "charts",
+       .label = "Charts",
+       .symbol = "K",
+       .member = &Parameters::charts,
+       .sliderMin = 1,
+       .sliderMax = 100,
+       .hardMin = 1,
+       .hardMax = kMostCharts,
+       .scale = SliderScale::Log,
+       .format = "%.0f",
+       .stage = Stage::Seeds,
+       .group = "Charts",
+       .help = "How many pieces to cut the model into. More pieces: less stretching, more seams.",
+       .source = "3.4"},
+      {.id = "sharp-angle",
+       .label = "Sharp edge angle",
+       .symbol = "T_a",
+       .member = &Parameters::sharpAngle,
+       .sliderMin = 0,
+       .sliderMax = 180,
+       .hardMin = 0,
+       .hardMax = 180,
+       .unit = "deg",
+       .format = "%.0f",
+       .stage = Stage::Gauss,
+       .group = "Charts",
+       .help =
+           "Edges folded more than this count as real creases. Lower it to respect soft bevels, "
+           "raise it to treat the model as smooth clay.",
+       .source = "3.2"},
+      {.id = "speed-power",
+       .label = "Crease avoidance",
+       .symbol = "p",
+       .member = &Parameters::speedPower,
+       .sliderMin = 1,
+       .sliderMax = 6,
+       .hardMin = 0,
+       .hardMax = 10,
+       .format = "%.1f",
+       .stage = Stage::Graph,
+       .group = "Charts",
+       .help =
+           "How strongly the flood shies away from curved spots. Low: round, even pieces. High: "
+           "borders cling to creases and corners.",
+       .source = "3.3, eq. 7"},
+      {.id = "speed-epsilon",
+       .label = "Flat-area floor",
+       .symbol = "\u03b5",
+       .member = &Parameters::speedEpsilon,
+       .sliderMin = 1e-6,
+       .sliderMax = 1e-1,
+       .hardMin = 1e-9,
+       .hardMax = 1,
+       .scale = SliderScale::Log,
+       .format = "%.1e",
+       .stage = Stage::Graph,
+       .group = "Charts",
+       .help =
+           "Keeps flat areas from being swallowed at once. Larger: pieces spread more evenly and "
+           "care less about curvature. A share of the largest curvature.",
+       .source = "3.3, eq. 7"},
+  };
+}
+
+std::vector<ParameterInfo> balanceRows() {
+  return {
+      {.id = "offsets",
+       .label = "Balance by waiting",
+       .symbol = "",
+       .member = &Parameters::offsets,
+       .stage = Stage::Iterations,
+       .group = "Balance",
+       .help = "Pieces that got too much in the last round start later in the next one.",
+       .source = "3.5"},
+      {.id = "offset-damping",
+       .label = "Waiting strength",
+       .symbol = "\u03b2",
+       .member = &Parameters::offsetDamping,
+       .sliderMin = 0.05,
+       .sliderMax = 1,
+       .hardMin = 0,
+       .hardMax = 1,
+       .hardMinExcluded = true,
+       .format = "%.2f",
+       .stage = Stage::Iterations,
+       .group = "Balance",
+       .help =
+           "How much of the imbalance is corrected per round. Lower if the borders keep jumping.",
+       .source = "3.5"},
+      {.id = "lookahead",
+       .label = "Look ahead",
+       .symbol = "",
+       .member = &Parameters::lookahead,
+       .stage = Stage::Flood,
+       .group = "Balance",
+       .help = "Looks at the next triangle before deciding whose turn it is. Smoother balance.",
+       .source = "3.3"},
+      {.id = "area-share",
+       .label = "Even out flat areas",
+       .symbol = "\u03b7",
+       .member = &Parameters::areaShare,
+       .sliderMin = 1e-5,
+       .sliderMax = 0.1,
+       .hardMin = 0,
+       .hardMax = 1,
+       .scale = SliderScale::LogZero,
+       .format = "%.5g",
+       .stage = Stage::Flood,
+       .group = "Balance",
+       .help = "Lets plain surface count a little too, so that flat parts are shared fairly.",
+       .source = ""},
+      {.id = "rng-seed",
+       .label = "Random seed",
+       .symbol = "",
+       .member = &Parameters::rngSeed,
+       .sliderMin = 0,
+       .sliderMax = 1000,
+       .hardMin = 0,
+       .hardMax = kLargestInt,
+       .format = "%.0f",
+       .stage = Stage::Seeds,
+       .group = "Balance",
+       .help = "Same number, same result. Roll for another starting layout.",
+       .source = "3.4"},
+  };
+}
+
+std::vector<ParameterInfo> borderRows() {
+  return {
+      {.id = "refine",
+       .label = "Borders",
+       .symbol = "",
+       .member = &Parameters::refine,
+       .stage = Stage::Refine,
+       .group = "Borders",
+       .help = "Tidied borders, or as flooded.",
+       .source = "",
+       .choices = {{"moves", "Tidied", true},
+                   {"none", "As flooded", true},
+                   {"cuts", "Shortest", false}}},
+      {.id = "clean-up",
+       .label = "Tidy borders",
+       .symbol = "\u03bc",
+       .member = &Parameters::cleanUp,
+       .sliderMin = 10,
+       .sliderMax = 1e5,
+       .hardMin = 0,
+       .hardMax = 1e9,
+       .scale = SliderScale::LogZero,
+       .format = "%.0f",
+       .stage = Stage::Refine,
+       .group = "Borders",
+       .help = "Straightens borders after the flood. Small: straightest. Large: most even. 0: only "
+               "their length counts.",
+       .source = ""},
+  };
+}
+
+std::vector<ParameterInfo> stoppingRows() {
+  return {
+      {.id = "max-iterations",
+       .label = "Most iterations",
+       .symbol = "",
+       .member = &Parameters::maxIterations,
+       .sliderMin = 1,
+       .sliderMax = 200,
+       .hardMin = 1,
+       .hardMax = 10000,
+       .scale = SliderScale::Log,
+       .format = "%.0f",
+       .stage = Stage::Iterations,
+       .group = "Stopping",
+       .help = "Stop after this many rounds even if still improving.",
+       .source = "3.4"},
+      {.id = "patience",
+       .label = "Patience",
+       .symbol = "n",
+       .member = &Parameters::patience,
+       .sliderMin = 1,
+       .sliderMax = 50,
+       .hardMin = 1,
+       .hardMax = 1000,
+       .format = "%.0f",
+       .stage = Stage::Iterations,
+       .group = "Stopping",
+       .help = "Stop when this many rounds brought no better balance.",
+       .source = "3.4"},
+      {.id = "detect-cycles",
+       .label = "Stop on a loop",
+       .symbol = "",
+       .member = &Parameters::detectCycles,
+       .stage = Stage::Iterations,
+       .group = "Stopping",
+       .help = "Stop when the seeds return to a place they had before.",
+       .source = "3.4"},
+  };
+}
+
+std::vector<ParameterInfo> methodRows() {
+  return {
+      {.id = "method",
+       .label = "Method",
+       .symbol = "",
+       .member = &Parameters::method,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help = "How the pieces are found.",
+       .source = "3",
+       .choices = {{"t-flooding", "T-flooding", true},
+                   {"vsa", "Variational shape approximation", false},
+                   {"mcgim", "Multi-chart geometry images", false}}},
+      {.id = "search",
+       .label = "Search",
+       .symbol = "",
+       .member = &Parameters::search,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help =
+           "Literal: the paper's rounds on the whole mesh, every step can be watched. Auto: the "
+           "best one for the size of the mesh.",
+       .source = "3.4",
+       .choices = {{"auto", "Auto", true}, {"literal", "Literal", true}, {"fast", "Fast", false}}},
+      {.id = "start",
+       .label = "Start",
+       .symbol = "",
+       .member = &Parameters::start,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help = "Flood: seeds far apart, as in the paper. Auto: the best one for the model.",
+       .source = "3.4",
+       .choices = {{"auto", "Auto", true},
+                   {"flood", "Flood", true},
+                   {"creases", "Creases", false}}},
+  };
+}
+
+std::vector<ParameterInfo> allRows() {
+  std::vector<ParameterInfo> rows;
+  for (std::vector<ParameterInfo> part :
+       {chartRows(), balanceRows(), borderRows(), stoppingRows(), methodRows()}) {
+    rows.insert(rows.end(), part.begin(), part.end());
+  }
+  return rows;
+}
+
+/// Settings that the printed method has and the defaults do not.
+std::vector<std::pair<const char*, ParameterValue>> printedValues(double power) {
+  return {{"method", std::string("t-flooding")},
+          {"sharp-angle", 45.0},
+          {"speed-power", power},
+          {"speed-epsilon", 1e-4},
+          {"offset-damping", 0.9},
+          {"area-share", 0.0},
+          {"search", std::string("literal")},
+          {"start", std::string("flood")},
+          {"refine", std::string("none")}};
+}
+
+std::vector<Preset> allPresets() {
+  return {
+      {"paper", "Paper", "The printed values: p 1, \u03b5 1e-4, \u03b2 0.9, borders as flooded.",
+       printedValues(1)},
+      {"paper-happy", "Paper: Happy", "The printed values for the Happy Buddha: p 3.",
+       printedValues(3)},
+      {"few-large",
+       "Few large pieces",
+       "Eight round pieces, as few seams as possible.",
+       {{"charts", 8}, {"speed-power", 1.0}}},
+      {"hard-surface",
+       "Hard surface",
+       "Machine parts: borders cling to creases, soft bevels too.",
+       {{"sharp-angle", 30.0}, {"speed-power", 3.0}}},
+      {"organic",
+       "Organic",
+       "Figures and scans: the model is treated as smooth clay.",
+       {{"sharp-angle", 90.0}, {"speed-power", 2.0}}},
+  };
+}
+
+}  // namespace
+
+std::span<const ParameterInfo> parameterTable() {
+  static const std::vector<ParameterInfo> rows = allRows();
+  return rows;
+}
+
+const ParameterInfo* findParameter(std::string_view id) {
+  const auto rows = parameterTable();
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const ParameterInfo& row) { return id == row.id; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+std::span<const Preset> presetTable() {
+  static const std::vector<Preset> presets = allPresets();
+  return presets;
+}
+
+const Preset* findPreset(std::string_view id) {
+  const auto presets = presetTable();
+  const auto found = std::find_if(presets.begin(), presets.end(),
+                                  [&](const Preset& preset) { return id == preset.id; });
+  return found == presets.end() ? nullptr : &*found;
+}
+
+}  // namespace chartflood
