@@ -117,8 +117,7 @@ class Mesh {
   /// All that reading and gluing found or repaired.
   std::span<const Repair> repairs() const { return d_.repairs; }
 
-  /// Sum of the genera of all components; -1 when a component has no whole genus (not orientable
-  /// pieces are split along borders, so this does not occur for glued meshes).
+  /// Sum of the genera of all components (gluing keeps only orientable pieces).
   long genus() const;
   /// V - E + F over the vertices that triangles use.
   long eulerNumber() const;
