@@ -1,0 +1,136 @@
+#include "core/io/write_report.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace chartflood {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+template <typename T>
+Json whole(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json inputJson(const InputReport& input) {
+  Json repairs = Json::array();
+  for (const Repair& repair : input.repairs) {
+    repairs.push_back({{"what", repair.what}, {"count", repair.count}, {"text", repair.text}});
+  }
+  return {{"file", input.file},
+          {"faces", input.faces},
+          {"triangles", input.triangles},
+          {"vertices", input.vertices},
+          {"components", input.components},
+          {"boundary_loops", input.boundaryLoops},
+          {"genus", input.genus},
+          {"repairs", std::move(repairs)}};
+}
+
+Json parametersJson(const Report& report) {
+  Json values = Json::object();
+  for (const auto& [id, value] : report.parameters) {
+    values[id] = std::visit([](const auto& v) { return Json(v); }, value);
+  }
+  if (!report.seeds.empty()) values["seeds"] = report.seeds;
+  return values;
+}
+
+Json gaussJson(const GaussReport& gauss) {
+  return {{"total", number(gauss.total)},
+          {"vertices", number(gauss.vertices)},
+          {"edges", number(gauss.edges)},
+          {"faces", number(gauss.faces)},
+          {"mean", number(gauss.mean)},
+          {"std_eq3", number(gauss.stdEq3)},
+          {"std", number(gauss.std)},
+          {"std_over_mean", number(gauss.stdOverMean)},
+          {"max_over_mean", number(gauss.maxOverMean)}};
+}
+
+Json historyJson(const std::vector<IterationReport>& history) {
+  Json rounds = Json::array();
+  for (const IterationReport& round : history) {
+    rounds.push_back({{"iteration", round.iteration},
+                      {"std_over_mean", number(round.stdOverMean)},
+                      {"moved_seeds", round.movedSeeds}});
+  }
+  return rounds;
+}
+
+/// The figures of the unwrap are null: there is no unwrap yet.
+Json chartJson(const ChartReport& chart) {
+  return {{"chart", chart.chart},
+          {"seed_face", whole(chart.seedFace)},
+          {"faces", chart.faces},
+          {"area", number(chart.area)},
+          {"gauss_area", number(chart.gaussArea)},
+          {"perimeter", number(chart.perimeter)},
+          {"euler", chart.euler},
+          {"boundary_loops", chart.boundaryLoops},
+          {"disk", chart.disk},
+          {"cut_length", nullptr},
+          {"l2_stretch", nullptr},
+          {"linf_stretch", nullptr},
+          {"area_distortion", nullptr},
+          {"angle_distortion", nullptr},
+          {"flipped", nullptr}};
+}
+
+Json timingJson(const TimingReport& timing) {
+  return {{"read", number(timing.read)},
+          {"gauss_area", number(timing.gaussArea)},
+          {"flood_graph", number(timing.floodGraph)},
+          {"segment", number(timing.segment)},
+          {"cut", nullptr},
+          {"unwrap", nullptr},
+          {"pack", nullptr}};
+}
+
+Json resultJson(const ResultReport& result) {
+  Json charts = Json::array();
+  for (const ChartReport& chart : result.perChart) charts.push_back(chartJson(chart));
+  return {{"method", result.method},
+          {"charts", result.charts},
+          {"iterations", result.iterations},
+          {"best_iteration", whole(result.bestIteration)},
+          {"stop_reason", result.stopReason},
+          {"gauss_area", gaussJson(result.gaussArea)},
+          {"stretch",
+           {{"l2_mean", nullptr},
+            {"l2_std", nullptr},
+            {"l2_max", nullptr},
+            {"l2_area_weighted", nullptr}}},
+          {"angle_distortion_mean", nullptr},
+          {"area_distortion_mean", nullptr},
+          {"flipped_triangles", nullptr},
+          {"seam_length", number(result.seamLength)},
+          {"seam_length_over_sqrt_area", number(result.seamLengthOverSqrtArea)},
+          {"packing_efficiency", nullptr},
+          {"history", historyJson(result.history)},
+          {"per_chart", std::move(charts)},
+          {"timing_ms", timingJson(result.timing)}};
+}
+
+}  // namespace
+
+std::string reportText(const Report& report) {
+  Json results = Json::array();
+  for (const ResultReport& result : report.results) results.push_back(resultJson(result));
+  const Json json = {{"chartflood", report.version},
+                     {"input", inputJson(report.input)},
+                     {"parameters", parametersJson(report)},
+                     {"results", std::move(results)},
+                     {"peak_memory_bytes", report.peakMemoryBytes}};
+  // A file name need not be UTF-8, JSON must be.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace chartflood

@@ -1,0 +1,80 @@
+#pragma once
+/// The numbers of one run as plain values: what the report file holds. Gauss areas in steradians,
+/// lengths and areas in model units.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/index.h"
+#include "core/model/input_mesh.h"
+
+namespace chartflood {
+
+/// What the input file holds.
+struct InputReport {
+  std::string file;
+  std::size_t faces = 0;  ///< as the file lists them, dropped ones included
+  std::size_t triangles = 0, vertices = 0, components = 0, boundaryLoops = 0;
+  long genus = 0;
+  std::vector<Repair> repairs;
+};
+
+/// Gauss area of the mesh and its distribution over the charts.
+struct GaussReport {
+  double total = 0, vertices = 0, edges = 0, faces = 0;
+  std::optional<double> mean, stdEq3, std;  ///< absent without charts
+  /// Absent without charts, and when the mean is too small for ratios.
+  std::optional<double> stdOverMean, maxOverMean;
+};
+
+struct IterationReport {
+  std::size_t iteration = 0;
+  std::optional<double> stdOverMean;  ///< absent when the mean is too small for ratios
+  std::size_t movedSeeds = 0;
+};
+
+struct ChartReport {
+  std::size_t chart = 0;
+  std::optional<Index> seedFace;  ///< number of the face in the input file
+  std::size_t faces = 0;
+  double area = 0, gaussArea = 0, perimeter = 0;
+  long euler = 0;
+  std::size_t boundaryLoops = 0;
+  bool disk = false;
+};
+
+/// Milliseconds of each stage; absent when it did not run.
+struct TimingReport {
+  std::optional<double> read, gaussArea, floodGraph, segment;
+};
+
+/// One method's result.
+struct ResultReport {
+  std::string method;
+  std::size_t charts = 0;
+  std::size_t iterations = 0;
+  std::optional<std::size_t> bestIteration;  ///< absent before the first round is done
+  std::string stopReason;
+  GaussReport gaussArea;
+  std::optional<double> seamLength;  ///< edges between two charts; absent without charts
+  std::optional<double> seamLengthOverSqrtArea;
+  std::vector<IterationReport> history;
+  std::vector<ChartReport> perChart;
+  TimingReport timing;
+};
+
+struct Report {
+  std::string version;
+  InputReport input;
+  /// Option ids with their values, in the order of the parameter table.
+  std::vector<std::pair<std::string, std::variant<bool, int, double, std::string>>> parameters;
+  std::vector<Index> seeds;  ///< placed by hand, faces of the input file; empty: by the method
+  std::vector<ResultReport> results;
+  std::size_t peakMemoryBytes = 0;
+};
+
+}  // namespace chartflood
