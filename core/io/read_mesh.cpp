@@ -1,0 +1,168 @@
+#include "core/io/read_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/read_assimp.h"
+#include "core/io/read_gltf.h"
+#include "core/io/read_obj.h"
+#include "core/io/read_off.h"
+#include "core/io/read_ply.h"
+#include "core/io/read_stl.h"
+#include "core/io/source.h"
+#include "core/io/weld.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr std::size_t kOwnFormats = 6;
+
+constexpr std::array<MeshFormat, 20> kFormats = {{
+    {"obj", "Wavefront OBJ"},
+    {"ply", "Stanford PLY"},
+    {"off", "Object File Format"},
+    {"stl", "Stereolithography"},
+    {"gltf", "glTF"},
+    {"glb", "glTF binary"},
+    {"fbx", "Autodesk FBX"},
+    {"dae", "Collada"},
+    {"3ds", "3D Studio"},
+    {"blend", "Blender"},
+    {"x3d", "X3D"},
+    {"3mf", "3D Manufacturing Format"},
+    {"amf", "Additive Manufacturing"},
+    {"lwo", "LightWave"},
+    {"x", "DirectX"},
+    {"ac", "AC3D"},
+    {"ase", "3ds Max ASCII"},
+    {"dxf", "AutoCAD DXF"},
+    {"ms3d", "MilkShape 3D"},
+    {"b3d", "Blitz3D"},
+}};
+
+std::string lowered(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Whether the first line that says anything begins like a line of OBJ.
+bool looksLikeObj(std::string_view bytes) {
+  constexpr std::array<std::string_view, 9> kWords = {"v", "vt", "vn",     "f",     "o",
+                                                      "g", "s",  "mtllib", "usemtl"};
+  constexpr std::string_view kBlanks = " \t\r\n";
+  for (std::size_t at = bytes.find_first_not_of(kBlanks); at < bytes.size();
+       at = bytes.find_first_not_of(kBlanks, at)) {
+    if (bytes[at] == '#') {
+      at = std::min(bytes.find_first_of("\r\n", at), bytes.size());
+      continue;
+    }
+    const std::string_view word = bytes.substr(at, 16).substr(
+        0, std::min(bytes.find_first_of(kBlanks, at), bytes.size()) - at);
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+  }
+  return false;
+}
+
+/// The extension that fits the content, "" when none of the formats with own readers does.
+std::string_view formatOfContent(std::string_view bytes) {
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return "ply";
+  if (bytes.starts_with("glTF")) return "glb";
+  if (looksLikeOff(bytes)) return "off";
+  if (looksLikeBinaryStl(bytes)) return "stl";
+  const std::size_t start = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  const std::string_view text = bytes.substr(start);
+  if (text.starts_with("solid") && text.find("facet") != std::string_view::npos) return "stl";
+  if (text.starts_with("{") && text.find("\"asset\"") != std::string_view::npos) return "gltf";
+  return looksLikeObj(bytes) ? "obj" : "";
+}
+
+std::string supportedList() {
+  std::string text;
+  for (const MeshFormat& format : kFormats) {
+    if (!text.empty()) text += ", ";
+    text.append(".").append(format.extension);
+  }
+  return text;
+}
+
+std::string formatOf(const std::filesystem::path& file, const Source& source) {
+  const std::string dotted = lowered(file.extension().string());
+  const std::string extension = dotted.empty() ? dotted : dotted.substr(1);
+  const auto known = std::find_if(kFormats.begin(), kFormats.end(), [&](const MeshFormat& format) {
+    return extension == format.extension;
+  });
+  const std::string_view content = formatOfContent(source.bytes);
+  if (known == kFormats.end()) {
+    if (!content.empty()) return std::string(content);
+    source.fail("its format is not known; supported are " + supportedList());
+  }
+  // Only formats with an unmistakable beginning: OBJ and STL readers take nearly anything.
+  const bool certain = content == "ply" || content == "off" || content == "glb";
+  const bool own = known - kFormats.begin() < static_cast<std::ptrdiff_t>(kOwnFormats);
+  const bool same = content == extension || (content == "glb" && extension == "gltf");
+  if (certain && own && !same) {
+    source.fail("its content is of the format ." + std::string(content) +
+                " although its name ends in ." + extension + "; rename it to end in ." +
+                std::string(content));
+  }
+  return extension;
+}
+
+InputMesh readAs(std::string_view format, const Source& source) {
+  if (format == "obj") return readObj(source);
+  if (format == "ply") return readPly(source);
+  if (format == "off") return readOff(source);
+  if (format == "stl") return readStl(source);
+  if (format == "gltf" || format == "glb") return readGltf(source);
+  return readAssimp(source, format);
+}
+
+/// Joins the faces of files that list each face with vertices of its own.
+void joinUnsharedFaces(InputMesh& mesh) {
+  if (!mesh.weld.empty() || !isUnshared(mesh)) return;
+  mesh.weld = joinEqualPositions(mesh.positions);
+  std::size_t joined = 0;
+  for (std::size_t v = 0; v < mesh.weld.size(); ++v) joined += mesh.weld[v] != v ? 1 : 0;
+  if (joined == 0) return;
+  mesh.repairs.push_back({"unshared-vertices-welded", joined,
+                          "No two faces share a vertex; " +
+                              counted(joined, "vertex was", "vertices were") +
+                              " joined with another at the same place."});
+}
+
+}  // namespace
+
+std::span<const MeshFormat> meshFormats() { return kFormats; }
+
+std::shared_ptr<const InputMesh> readMesh(const std::filesystem::path& file, Progress* progress) {
+  if (progress != nullptr) progress->beginPhase("Reading");
+  const std::string name = file.string();
+  try {
+    const FileBytes bytes(file);
+    const Source source{bytes.view(), name, file.parent_path(), progress};
+    if (source.bytes.empty()) source.fail("the file is empty");
+    InputMesh mesh = readAs(formatOf(file, source), source);
+    if (progress != nullptr && progress->cancelled()) return nullptr;
+    mesh.file = name;
+    if (mesh.positions.size() >= kNone || mesh.corners.size() >= kNone) {
+      source.fail("it has more than 4 billion vertices or corners");
+    }
+    joinUnsharedFaces(mesh);
+    if (progress != nullptr) progress->setFraction(1);
+    return std::make_shared<const InputMesh>(std::move(mesh));
+  } catch (const std::bad_alloc&) {
+    throw ReadError(name, "it does not fit into memory");
+  } catch (const std::length_error&) {
+    throw ReadError(name, "it does not fit into memory");
+  }
+}
+
+}  // namespace chartflood
