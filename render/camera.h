@@ -41,6 +41,8 @@ struct Camera {
   bool orthographic = false;             ///< the target plane keeps its size when switched
   UpAxis up = UpAxis::Y;
 
+  bool operator==(const Camera&) const = default;
+
   glm::dvec3 right() const { return orientation * glm::dvec3(1, 0, 0); }
   glm::dvec3 upward() const { return orientation * glm::dvec3(0, 1, 0); }
   glm::dvec3 forward() const { return orientation * glm::dvec3(0, 0, -1); }

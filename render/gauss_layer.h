@@ -1,0 +1,42 @@
+#pragma once
+/// Gauss area on the graphics card: a value for each triangle, a line for each crease, a disc for
+/// each corner of the surface (paper section 3.2, figure 5).
+
+#include <cstddef>
+
+#include "core/model/gauss_area.h"
+#include "core/model/mesh.h"
+#include "render/gl/objects.h"
+#include "render/scalar_range.h"
+
+namespace chartflood {
+
+/// Values, all for the mesh scaled to a bounding box diagonal d = 1: triangles carry steradians per
+/// area, creases steradians per length, corners steradians.
+class GaussLayer {
+ public:
+  GaussLayer(const Mesh& mesh, const GaussArea& gauss);
+
+  const ScalarRange& faceRange() const { return faceRange_; }
+  const ScalarRange& edgeRange() const { return edgeRange_; }
+  const ScalarRange& vertexRange() const { return vertexRange_; }
+  std::size_t edgeCount() const { return edgeCount_; }
+  std::size_t vertexCount() const { return vertexCount_; }
+
+  void bindFaceValues(GLuint unit) const { faceValues_.bind(unit); }
+  /// Two texels a crease: (start, value), (end, 0).
+  void bindEdges(GLuint unit) const { edges_.bind(unit); }
+  /// Two texels a corner: (place, value), (0, 0, 0, 0).
+  void bindVertices(GLuint unit) const { vertices_.bind(unit); }
+
+ private:
+  void uploadFaces(const Mesh& mesh, const GaussArea& gauss);
+  void uploadEdges(const Mesh& mesh, const GaussArea& gauss);
+  void uploadVertices(const Mesh& mesh, const GaussArea& gauss);
+
+  ScalarRange faceRange_, edgeRange_, vertexRange_;
+  std::size_t edgeCount_ = 0, vertexCount_ = 0;
+  gl::TextureBuffer faceValues_, edges_, vertices_;
+};
+
+}  // namespace chartflood

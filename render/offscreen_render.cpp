@@ -1,0 +1,86 @@
+#include "render/offscreen_render.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr int kLargestSide = 16384;
+
+/// Colour over alpha, rounded; the GL picture carries colour times alpha.
+Rgba8 straight(const Rgba8& p) {
+  if (p[3] == 255) return p;
+  if (p[3] == 0) return {0, 0, 0, 0};
+  const unsigned alpha = p[3];
+  const auto divide = [&](unsigned c) {
+    return static_cast<std::uint8_t>(std::min(255u, (c * 255u + alpha / 2) / alpha));
+  };
+  return {divide(p[0]), divide(p[1]), divide(p[2]), p[3]};
+}
+
+void checkSize(const PictureSize& size) {
+  if (size.supersampling != 1 && size.supersampling != 2 && size.supersampling != 4) {
+    throw UsageError("The supersampling must be 1, 2 or 4.");
+  }
+  if (size.width < 1 || size.height < 1 || size.width > kLargestSide ||
+      size.height > kLargestSide) {
+    throw UsageError("A picture must be between 1 and 16384 pixels wide and high.");
+  }
+}
+
+}  // namespace
+
+Image readFramebuffer(const gl::Framebuffer& framebuffer) {
+  const gl::FramebufferScope keep;
+  framebuffer.resolve();
+  const int width = framebuffer.width(), height = framebuffer.height();
+  std::vector<Rgba8> rows(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
+  Image image(width, height);
+  for (int y = 0; y < height; ++y) {
+    const auto row = rows.begin() + std::ptrdiff_t{height - 1 - y} * width;
+    std::transform(row, row + width, &image.at(0, y), straight);
+  }
+  return image;
+}
+
+Image renderImage(Renderer& renderer, const Camera& camera, const RenderSettings& settings,
+                  const PictureSize& size) {
+  checkSize(size);
+  const int factor = size.supersampling;
+  RenderSettings larger = settings;
+  larger.pixelScale *= static_cast<float>(factor);
+  GLint limit = size.largestPart;
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
+  // Whole blocks of the average must lie inside a part.
+  const int most = std::max(1, std::min(size.largestPart, limit) / factor);
+
+  Image image(size.width, size.height);
+  gl::Framebuffer target;
+  for (int top = 0; top < size.height; top += most) {
+    for (int left = 0; left < size.width; left += most) {
+      const int width = std::min(most, size.width - left);
+      const int height = std::min(most, size.height - top);
+      const PicturePart part{size.width * factor, size.height * factor,
+                             left * factor,       (size.height - top - height) * factor,
+                             width * factor,      height * factor};
+      if (target.width() != part.width || target.height() != part.height) {
+        target = gl::Framebuffer(part.width, part.height, size.samples);
+      }
+      renderer.draw(target, camera, larger, part);
+      const Image drawn = shrinkImage(readFramebuffer(target), factor);
+      for (int y = 0; y < height; ++y) {
+        std::copy_n(&drawn.at(0, y), width, &image.at(left, top + y));
+      }
+    }
+  }
+  return image;
+}
+
+}  // namespace chartflood

@@ -1,0 +1,108 @@
+#pragma once
+/// Everything that can be chosen about a picture, as plain values.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/base/index.h"
+
+namespace chartflood {
+
+/// What the colours of the model say.
+enum class ColorMode {
+  Shaded,
+  Charts,
+  GaussVertex,
+  GaussEdge,
+  GaussFace,
+  Gauss,
+  Balance,
+  FloodTime,
+  FloodOrder,
+  Stretch,
+  AreaDistortion,
+  AngleDistortion,
+  Checkerboard,
+};
+
+/// How values run along the colours.
+enum class ScalarScale {
+  Linear,
+  Root,  ///< square root of the distance from the lower end: small values get more room
+  Log,
+};
+
+/// What is known of a colour mode.
+struct ColorModeInfo {
+  ColorMode mode;
+  const char* id;        ///< option value
+  const char* label;     ///< menu text
+  const char* title;     ///< above the scalar bar, "" for modes without one
+  const char* unit;      ///< of the values, "" for plain numbers
+  ScalarScale scale;     ///< unless chosen otherwise
+  const char* colorMap;  ///< unless chosen otherwise, "" for modes without one
+  const char* help;      ///< one sentence
+};
+/// One row a mode, in the order of the enumeration.
+std::span<const ColorModeInfo> colorModeTable();
+const ColorModeInfo& colorModeInfo(ColorMode mode);
+/// The mode with this id, or nullptr.
+const ColorModeInfo* findColorMode(std::string_view id);
+
+/// The ground behind the model; sRGB in [0, 1].
+struct Background {
+  glm::vec3 bottom{0.137f};
+  glm::vec3 top{0.212f};
+  bool transparent = false;  ///< no ground at all
+
+  bool operator==(const Background&) const = default;
+};
+/// "transparent", "dark", "white", "black", "#RRGGBB", "RRGGBB" or "R,G,B" with 0-255.
+/// \throws UsageError for anything else.
+Background backgroundFromText(std::string_view text);
+
+/// Widths are in pixels of a screen at 100 %; pictures multiply them by `pixelScale`.
+struct RenderSettings {
+  ColorMode colorMode = ColorMode::Charts;
+  std::string colorMap;  ///< id of a map; "": the mode's own
+  bool invertColorMap = false;
+  int colorSteps = 0;                              ///< flat steps on the map; 0: smooth
+  std::optional<ScalarScale> scale;                ///< nothing: the mode's own
+  std::optional<std::pair<double, double>> range;  ///< nothing: from the values
+  std::string palette = "muted";                   ///< chart colours
+
+  bool seams = true;        ///< lines between charts
+  bool edges = false;       ///< mesh edges
+  bool sharpEdges = false;  ///< creases
+  bool seedMarks = true;
+  bool numbers = false;   ///< chart numbers on the model
+  bool scalarBar = true;  ///< in modes that have one
+  bool lighting = true;   ///< false: flat colours, for measuring
+  bool smoothNormals = true;
+
+  Background background;
+  float pixelScale = 1;  ///< of all widths and letters
+  float seamWidth = 1.8f;
+  float edgeWidth = 1.0f;
+  float textSize = 13.0f;  ///< height of an em
+  float seedRadius = 8.0f;
+  float checkerSquares = 16;  ///< squares of the checkerboard per unit of texture
+
+  /// Shows the recorded flood with only the first so many faces taken; nothing: the labels.
+  std::optional<std::size_t> playhead;
+
+  Index hoverFace = kNone;            ///< drawn brighter
+  std::vector<Index> selectedCharts;  ///< when not empty, the others step back
+  std::vector<Index> hiddenCharts;    ///< not drawn at all
+
+  bool operator==(const RenderSettings&) const = default;
+};
+
+}  // namespace chartflood

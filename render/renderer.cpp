@@ -1,0 +1,488 @@
+#include "render/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/base/check.h"
+#include "core/base/error.h"
+#include "render/color_map.h"
+#include "render/texture_units.h"
+
+namespace chartflood {
+
+namespace {
+
+// Numbers of surface.frag.
+enum Fill { kPlain, kCharts, kTriangleValue, kChartValue, kFloodTime, kFloodOrder, kChecker };
+
+constexpr glm::vec3 kClay(0.800f, 0.790f, 0.770f);
+constexpr glm::vec3 kCalm(0.560f, 0.565f, 0.575f);  // the ground of discs and lines
+constexpr glm::vec3 kDry(0.4157f);                  // 6A6A6A
+constexpr float kFrontShare = 0.01f;                // of all faces are bright behind the playhead
+
+bool isDistortion(ColorMode mode) {
+  return mode == ColorMode::Stretch || mode == ColorMode::AreaDistortion ||
+         mode == ColorMode::AngleDistortion;
+}
+
+bool isGauss(ColorMode mode) {
+  return mode == ColorMode::GaussVertex || mode == ColorMode::GaussEdge ||
+         mode == ColorMode::GaussFace || mode == ColorMode::Gauss;
+}
+
+/// Range of an unwrap's distortion: from the undistorted value on, the tail cut at 98 %.
+ScalarRange distortionRange(ColorMode mode, std::span<const float> values) {
+  std::vector<WeightedValue> sizes;
+  sizes.reserve(values.size());
+  const bool signedValues = mode == ColorMode::AreaDistortion;
+  for (const float v : values) sizes.push_back({signedValues ? std::abs(double{v}) : double{v}, 1});
+  ScalarRange range;
+  if (signedValues) {
+    range.max = std::max(std::ceil(weightedPercentile(sizes, 0.98) * 2) / 2, 0.5);
+    range.min = -range.max;
+    return range;
+  }
+  range.min = 1;
+  range.max = std::max(weightedPercentile(sizes, 0.98), 1.1);
+  range.hasMean = true;
+  range.mean = weightedMean(sizes);
+  return range;
+}
+
+}  // namespace
+
+Renderer::Renderer()
+    : backgroundProgram_("background.vert", "background.frag"),
+      surfaceProgram_("surface.vert", "surface.frag"), lineProgram_("lines.vert", "lines.frag"),
+      pointProgram_("points.vert", "points.frag"), idProgram_("ids.vert", "ids.frag"),
+      emptyVertexArray_(gl::VertexArray::create()) {
+  seeds_.upload<glm::vec4>(GL_RGBA32F, {});
+  cornerUv_.upload<glm::vec2>(GL_RG32F, {});
+}
+
+void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* normals) {
+  mesh_ = std::move(mesh);
+  surface_.reset();
+  charts_.reset();
+  flood_.reset();
+  gauss_.reset();
+  values_.clear();
+  hasCornerUv_ = false;
+  seedMarks_.clear();
+  if (!mesh_) return;
+  bounds_ = boundingSphere(mesh_->positions());
+  surface_.emplace(*mesh_, normals);
+  charts_.emplace(mesh_);
+  flood_.emplace(mesh_);
+}
+
+void Renderer::setNormals(const CornerNormals* normals) {
+  if (mesh_) surface_.emplace(*mesh_, normals);
+}
+
+void Renderer::setGaussArea(const GaussArea* gaussArea) {
+  gauss_.reset();
+  if (mesh_ && gaussArea) gauss_.emplace(*mesh_, *gaussArea);
+}
+
+void Renderer::setSegmentation(const Segmentation* segmentation) {
+  if (mesh_) charts_->setSegmentation(segmentation);
+}
+
+void Renderer::setFlood(std::shared_ptr<const FloodRecord> record) {
+  if (!mesh_) return;
+  flood_->follow(std::move(record));
+  charts_->growTo(flood_->chartCount());
+}
+
+void Renderer::updateFlood() {
+  if (!mesh_) return;
+  flood_->update();
+  charts_->growTo(flood_->chartCount());
+}
+
+void Renderer::setTriangleValues(ColorMode mode, std::span<const float> values) {
+  if (!isDistortion(mode)) throw Error("This colour mode takes no values for triangles.");
+  if (values.empty()) {
+    values_.erase(mode);
+    return;
+  }
+  if (!mesh_ || values.size() != mesh_->triangleCount()) {
+    throw Error("There must be one value for each triangle.");
+  }
+  ValueLayer& layer = values_[mode];
+  layer.values.upload<float>(GL_R32F, values);
+  layer.range = distortionRange(mode, values);
+}
+
+void Renderer::setCornerUv(std::span<const glm::vec2> uv) {
+  hasCornerUv_ = !uv.empty();
+  if (hasCornerUv_ && (!mesh_ || uv.size() != 3 * mesh_->triangleCount())) {
+    throw Error("There must be three texture places for each triangle.");
+  }
+  cornerUv_.upload<glm::vec2>(GL_RG32F, uv);
+}
+
+bool Renderer::canShow(ColorMode mode) const {
+  if (!mesh_) return false;
+  if (mode == ColorMode::Shaded) return true;
+  if (isGauss(mode)) return gauss_.has_value();
+  if (isDistortion(mode)) return values_.contains(mode);
+  if (mode == ColorMode::Checkerboard) return hasCornerUv_;
+  if (mode == ColorMode::FloodTime || mode == ColorMode::FloodOrder) return flood_->size() > 0;
+  if (mode == ColorMode::Balance) return charts_->labelled();
+  return charts_->labelled() || flood_->size() > 0;
+}
+
+glm::vec3 Renderer::chartColor(Index chart, const RenderSettings& settings) const {
+  if (!charts_ || chart >= charts_->chartCount()) return kDry;
+  return charts_->chartColor(chart, settings.palette);
+}
+
+std::optional<ScalarRange> Renderer::scalarRange(const RenderSettings& settings) const {
+  const ColorModeInfo& info = colorModeInfo(settings.colorMode);
+  if (*info.colorMap == '\0' || !canShow(settings.colorMode)) return std::nullopt;
+  ScalarRange range;
+  switch (settings.colorMode) {
+  case ColorMode::GaussVertex:
+    range = gauss_->vertexRange();
+    break;
+  case ColorMode::GaussEdge:
+    range = gauss_->edgeRange();
+    break;
+  case ColorMode::GaussFace:
+    range = gauss_->faceRange();
+    break;
+  case ColorMode::Gauss:
+    range.plainEnds = true;
+    break;
+  case ColorMode::Balance:
+    range = charts_->balanceRange();
+    break;
+  case ColorMode::Stretch:
+  case ColorMode::AreaDistortion:
+  case ColorMode::AngleDistortion:
+    range = values_.at(settings.colorMode).range;
+    break;
+  default:
+    break;  // shares run from 0 to 1
+  }
+  range.title = info.title;
+  range.unit = info.unit;
+  range.scale = info.scale;
+  return chosenRange(range, settings);
+}
+
+ScalarRange Renderer::chosenRange(ScalarRange range, const RenderSettings& settings) const {
+  if (settings.scale) range.scale = *settings.scale;
+  if (settings.range && settings.range->first < settings.range->second) {
+    range.min = settings.range->first;
+    range.max = settings.range->second;
+  }
+  // A logarithm has no place for 0: show four decades below the top.
+  if (range.scale == ScalarScale::Log && range.min <= 0) range.min = 1e-4 * std::abs(range.max);
+  return range;
+}
+
+void Renderer::useColorMap(const RenderSettings& settings) {
+  const char* own = colorModeInfo(settings.colorMode).colorMap;
+  const std::string id =
+      !settings.colorMap.empty() ? settings.colorMap : (*own == '\0' ? "viridis" : own);
+  const std::string key = id + (settings.invertColorMap ? " inverted" : "");
+  glActiveTexture(GL_TEXTURE0 + units::kColorMap);
+  if (colorMap_ && key == loadedMap_) {
+    glBindTexture(GL_TEXTURE_2D, colorMap_.id());
+    return;
+  }
+  const ColorMap* map = findColorMap(id);
+  if (!map) throw UsageError("There is no colour map \"" + id + "\".");
+  std::array<std::array<std::uint8_t, 4>, 256> texels{};
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const float t = static_cast<float>(i) / 255.0f;
+    const glm::vec3 color = map->at(settings.invertColorMap ? 1 - t : t);
+    for (int c = 0; c < 3; ++c) {
+      texels[i][static_cast<std::size_t>(c)] =
+          static_cast<std::uint8_t>(std::lround(color[c] * 255.0f));
+    }
+    texels[i][3] = 255;
+  }
+  if (!colorMap_) colorMap_ = gl::Texture::create();
+  glBindTexture(GL_TEXTURE_2D, colorMap_.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  loadedMap_ = key;
+}
+
+void Renderer::setScale(gl::Program& program, const ScalarRange& range,
+                        const RenderSettings& settings) {
+  program.set("uColorMap", static_cast<int>(units::kColorMap));
+  program.set("uRange", glm::vec2(range.min, range.max));
+  program.set("uScale", static_cast<int>(range.scale));
+  program.set("uSteps", settings.colorSteps);
+}
+
+void Renderer::draw(const gl::Framebuffer& target, const Camera& camera,
+                    const RenderSettings& settings) {
+  draw(target, camera, settings, PicturePart::whole(target.width(), target.height()));
+}
+
+void Renderer::draw(const gl::Framebuffer& target, const Camera& camera,
+                    const RenderSettings& settings, const PicturePart& part) {
+  CF_CHECK(part.width == target.width() && part.height == target.height());
+  const gl::FramebufferScope keep;
+  const Frame frame{settings, makeEye(camera, bounds_, part)};
+  if (mesh_) charts_->update(settings, flood_->longestTime());
+  useColorMap(settings);
+
+  target.bindForDrawing();
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LEQUAL);
+  glClearColor(0, 0, 0, 0);
+  glClearDepth(1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  drawBackground(frame);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // colours are premultiplied
+  if (mesh_) {
+    drawSurface(frame);
+    glDepthMask(GL_FALSE);
+    drawLines(frame);
+    drawMarks(frame);
+    glDepthMask(GL_TRUE);
+    drawOverlay(frame, camera);
+  }
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  glUseProgram(0);
+  glActiveTexture(GL_TEXTURE0);
+  target.resolve();
+}
+
+void Renderer::drawBackground(const Frame& frame) {
+  const Background& background = frame.settings.background;
+  if (background.transparent) return;
+  glDisable(GL_DEPTH_TEST);
+  backgroundProgram_.use();
+  backgroundProgram_.set("uTile", frame.eye.tile);
+  backgroundProgram_.set("uBottom", glm::vec4(background.bottom, 1));
+  backgroundProgram_.set("uTop", glm::vec4(background.top, 1));
+  glBindVertexArray(emptyVertexArray_.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Renderer::setFill(const Frame& frame) {
+  const RenderSettings& settings = frame.settings;
+  Fill fill = kPlain;
+  glm::vec3 plain = kClay;
+  // Every sampler needs an array of its kind bound, used or not.
+  seeds_.bind(units::kValues);
+  switch (canShow(settings.colorMode) ? settings.colorMode : ColorMode::Shaded) {
+  case ColorMode::Shaded:
+    break;
+  case ColorMode::Charts:
+    fill = kCharts;
+    break;
+  case ColorMode::GaussVertex:
+  case ColorMode::GaussEdge:
+    plain = kCalm;
+    break;
+  case ColorMode::GaussFace:
+  case ColorMode::Gauss:
+    fill = kTriangleValue;
+    gauss_->bindFaceValues(units::kValues);
+    break;
+  case ColorMode::Balance:
+    fill = kChartValue;
+    break;
+  case ColorMode::FloodTime:
+    fill = kFloodTime;
+    break;
+  case ColorMode::FloodOrder:
+    fill = kFloodOrder;
+    break;
+  case ColorMode::Checkerboard:
+    fill = kChecker;
+    break;
+  default:
+    fill = kTriangleValue;
+    values_.at(settings.colorMode).values.bind(units::kValues);
+    break;
+  }
+  surfaceProgram_.set("uFill", static_cast<int>(fill));
+  surfaceProgram_.set("uPlainColor", plain);
+  surfaceProgram_.set("uDryColor", kDry);
+  std::optional<ScalarRange> range = scalarRange(settings);
+  if (range && settings.colorMode == ColorMode::Gauss) {
+    range = gauss_->faceRange();
+    range->scale = settings.scale.value_or(ScalarScale::Root);
+  }
+  setScale(surfaceProgram_, range.value_or(ScalarRange{}), settings);
+}
+
+void Renderer::drawSurface(const Frame& frame) {
+  const RenderSettings& settings = frame.settings;
+  gl::Program& program = surfaceProgram_;
+  program.use();
+  setEye(program, frame.eye);
+  setFill(frame);
+  charts_->bindLabels(units::kLabels);
+  flood_->bindOrder(units::kFlood);
+  flood_->bindTime(units::kFloodTime);
+  charts_->bindColors(units::kChartColors);
+  charts_->bindValues(units::kChartValues);
+  cornerUv_.bind(units::kCornerUv);
+  surface_->bindArrays(units::kVertices, units::kIndices, units::kInnerSides);
+  const std::pair<const char*, GLuint> samplers[] = {
+      {"uLabels", units::kLabels},           {"uFlood", units::kFlood},
+      {"uFloodTime", units::kFloodTime},     {"uValues", units::kValues},
+      {"uChartColors", units::kChartColors}, {"uChartValues", units::kChartValues},
+      {"uVertices", units::kVertices},       {"uIndices", units::kIndices},
+      {"uInnerSides", units::kInnerSides},   {"uCornerUv", units::kCornerUv}};
+  for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
+
+  program.set("uLighting", settings.lighting ? 1 : 0);
+  program.set("uSmoothNormals", settings.smoothNormals && surface_->hasNormals() ? 1 : 0);
+  const float faces = static_cast<float>(mesh_->faceCount());
+  program.set("uPlay", settings.playhead ? 1 : 0);
+  program.set("uPlayhead", static_cast<unsigned>(settings.playhead.value_or(0)));
+  program.set("uFront", static_cast<unsigned>(std::max(1.0f, std::ceil(kFrontShare * faces))));
+  program.set("uOrderScale", 1 / std::max(faces, 1.0f));
+  program.set("uWire", settings.edges ? 1 : 0);
+  program.set("uWireWidth", settings.edgeWidth * settings.pixelScale);
+  program.set("uCheckerSquares", settings.checkerSquares);
+  const bool hovers = settings.hoverFace < mesh_->faceCount();
+  program.set("uHoverFirst", hovers ? mesh_->triangleBegin(settings.hoverFace) : 0u);
+  program.set("uHoverEnd", hovers ? mesh_->triangleBegin(settings.hoverFace + 1) : 0u);
+  glEnable(GL_DEPTH_TEST);
+  surface_->draw();
+}
+
+void Renderer::drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths,
+                            float casing, const glm::vec4& color, const glm::vec4& casingColor) {
+  if (count == 0) return;
+  const float scale = frame.settings.pixelScale;
+  gl::Program& program = lineProgram_;
+  program.set("uSegments", static_cast<int>(units::kValues));
+  program.set("uFirst", 0);
+  program.set("uWidths", widths * scale);
+  program.set("uCasing", casing * scale);
+  program.set("uColor", color);
+  program.set("uCasingColor", casingColor);
+  program.set("uOpacity", 1.0f);
+  program.set("uLift", 1.2f);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * count));
+}
+
+void Renderer::drawLines(const Frame& frame) {
+  const RenderSettings& settings = frame.settings;
+  const ColorMode mode = canShow(settings.colorMode) ? settings.colorMode : ColorMode::Shaded;
+  constexpr glm::vec4 kInk(0.055f, 0.055f, 0.063f, 1), kPaper(1, 1, 1, 0.9f);
+  glEnable(GL_DEPTH_TEST);
+  glBindVertexArray(emptyVertexArray_.id());
+  lineProgram_.use();
+  setEye(lineProgram_, frame.eye);
+  setScale(lineProgram_, ScalarRange{}, settings);
+  if (settings.sharpEdges && gauss_ && mode != ColorMode::GaussEdge && mode != ColorMode::Gauss) {
+    gauss_->bindEdges(units::kValues);
+    drawSegments(frame, gauss_->edgeCount(), glm::vec2(1.4f), 0, {0.93f, 0.93f, 0.90f, 1}, kInk);
+  }
+  if (settings.seams) {
+    const glm::vec2 width(settings.seamWidth);
+    if (settings.playhead) {
+      flood_->bindSeams(units::kValues);
+      drawSegments(frame, flood_->seamCount(*settings.playhead), width, 0, kInk, kPaper);
+    } else {
+      charts_->bindSeams(units::kValues);
+      drawSegments(frame, charts_->seamCount(), width, 0, kInk, kPaper);
+    }
+  }
+  if (mode == ColorMode::GaussEdge || mode == ColorMode::Gauss) {
+    ScalarRange range = gauss_->edgeRange();
+    range.scale = ScalarScale::Root;
+    setScale(lineProgram_, mode == ColorMode::Gauss ? range : *scalarRange(settings), settings);
+    gauss_->bindEdges(units::kValues);
+    drawSegments(frame, gauss_->edgeCount(), {1.6f, 4.2f}, 0.9f, glm::vec4(0), kInk);
+  }
+}
+
+void Renderer::setSeeds(std::span<const SeedMark> seeds) {
+  seedMarks_.assign(seeds.begin(), seeds.end());
+  if (!mesh_) return;
+  std::vector<glm::dvec3> places;
+  for (const SeedMark& seed : seedMarks_) {
+    if (seed.chart == places.size()) places.push_back(faceMiddle(*mesh_, seed.face));
+  }
+  charts_->setSeeds(places);
+}
+
+void Renderer::drawMarks(const Frame& frame) {
+  const RenderSettings& settings = frame.settings;
+  const ColorMode mode = canShow(settings.colorMode) ? settings.colorMode : ColorMode::Shaded;
+  gl::Program& program = pointProgram_;
+  const float scale = settings.pixelScale;
+  glBindVertexArray(emptyVertexArray_.id());
+  program.use();
+  setEye(program, frame.eye);
+  program.set("uPoints", static_cast<int>(units::kValues));
+  program.set("uOpacity", 1.0f);
+  if (mode == ColorMode::GaussVertex || mode == ColorMode::Gauss) {
+    ScalarRange range = gauss_->vertexRange();
+    range.scale = ScalarScale::Root;
+    setScale(program, mode == ColorMode::Gauss ? range : *scalarRange(settings), settings);
+    gauss_->bindVertices(units::kValues);
+    program.set("uByValue", 1);
+    program.set("uBall", 0);
+    program.set("uRing", 1.1f * scale);
+    program.set("uRadii", glm::vec2(2.6f, 7.0f) * scale);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * gauss_->vertexCount()));
+  }
+  if (!settings.seedMarks || seedMarks_.empty()) return;
+  setScale(program, ScalarRange{}, settings);
+  uploadSeeds(settings);
+  seeds_.bind(units::kValues);
+  program.set("uByValue", 0);
+  program.set("uBall", 1);
+  program.set("uRing", 1.5f * scale);
+  program.set("uRadii", glm::vec2(settings.seedRadius) * scale);
+  // Seeds behind the model shine through faintly; those in front cover it.
+  const auto count = static_cast<GLsizei>(6 * seedMarks_.size());
+  glDepthFunc(GL_GREATER);
+  program.set("uOpacity", 0.22f);
+  glDrawArrays(GL_TRIANGLES, 0, count);
+  glDepthFunc(GL_LEQUAL);
+  program.set("uOpacity", 1.0f);
+  glDrawArrays(GL_TRIANGLES, 0, count);
+}
+
+void Renderer::uploadSeeds(const RenderSettings& settings) {
+  std::vector<glm::vec4> texels;
+  for (const SeedMark& seed : seedMarks_) {
+    texels.emplace_back(glm::vec3(faceMiddle(*mesh_, seed.face)), 0.0f);
+    texels.emplace_back(chartColor(seed.chart, settings), seed.emphasis ? 1.0f : 0.0f);
+  }
+  if (texels == uploadedSeeds_) return;
+  seeds_.upload<glm::vec4>(GL_RGBA32F, texels);
+  uploadedSeeds_ = std::move(texels);
+}
+
+glm::dvec3 faceMiddle(const Mesh& mesh, Index face) {
+  glm::dvec3 sum(0);
+  double weight = 0;
+  for (Index t = mesh.triangleBegin(face); t < mesh.triangleBegin(face + 1); ++t) {
+    const double area = std::max(mesh.triangleArea()[t], 1e-30);
+    for (const Index vertex : mesh.triangles()[t]) sum += mesh.positions()[vertex] * (area / 3);
+    weight += area;
+  }
+  return sum / weight;
+}
+
+}  // namespace chartflood

@@ -1,0 +1,151 @@
+#pragma once
+/// Draws a mesh, its Gauss area, its charts and the flood that made them.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/model/corner_normals.h"
+#include "core/model/flood_record.h"
+#include "core/model/gauss_area.h"
+#include "core/model/mesh.h"
+#include "core/model/segmentation.h"
+#include "render/camera.h"
+#include "render/chart_layer.h"
+#include "render/eye.h"
+#include "render/flood_layer.h"
+#include "render/gauss_layer.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/program.h"
+#include "render/overlay.h"
+#include "render/render_settings.h"
+#include "render/surface_mesh.h"
+
+namespace chartflood {
+
+/// A seed to be marked.
+struct SeedMark {
+  Index face = kNone;
+  Index chart = kNone;    ///< whose colour it gets
+  bool emphasis = false;  ///< locked or under the pointer
+};
+
+/// What lies under a pixel.
+struct Pick {
+  Index triangle = kNone;
+  Index face = kNone;
+  Index chart = kNone;  ///< kNone where the face has none
+  glm::dvec3 point{0};  ///< on the surface, normalised units
+  bool hit() const { return triangle != kNone; }
+};
+
+/// Where a chart's number may stand in a picture.
+struct ChartLabel {
+  Index chart = kNone;
+  glm::vec2 place{0};  ///< pixels from the top left
+  float room = 0;      ///< free pixels around it inside the visible chart
+};
+
+/// The middle of a face: where its seed mark stands. Normalised units.
+glm::dvec3 faceMiddle(const Mesh& mesh, Index face);
+
+/// Every call needs the context in which the renderer was made to be current. Nothing is uploaded
+/// by draw() but the chart colours when they change.
+class Renderer {
+ public:
+  Renderer();
+
+  /// Shows another mesh and forgets everything about the old one. Without normals each triangle is
+  /// shaded by its plane. Null: nothing is drawn but the ground.
+  void setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* normals);
+  /// Normals after a change of the crease angle.
+  void setNormals(const CornerNormals* normals);
+  void setGaussArea(const GaussArea* gaussArea);
+  void setSegmentation(const Segmentation* segmentation);
+  /// Follows a record from its beginning; updateFlood() uploads what was added since.
+  void setFlood(std::shared_ptr<const FloodRecord> record);
+  void updateFlood();
+  void setSeeds(std::span<const SeedMark> seeds);
+  /// Values of Stretch, AreaDistortion or AngleDistortion: one a triangle, NaN for none; empty to
+  /// forget them. \throws Error for another mode or number of values.
+  void setTriangleValues(ColorMode mode, std::span<const float> values);
+  /// Texture place of each corner, three a triangle; empty to forget them.
+  void setCornerUv(std::span<const glm::vec2> uv);
+
+  /// False while a mode has nothing to show; draw() then shows the plain surface.
+  bool canShow(ColorMode mode) const;
+  /// The range, scale and words of a picture's scalar bar; nothing for modes without one.
+  std::optional<ScalarRange> scalarRange(const RenderSettings& settings) const;
+
+  /// Draws into the framebuffer; its texture is ready afterwards (colour premultiplied by alpha).
+  void draw(const gl::Framebuffer& target, const Camera& camera, const RenderSettings& settings);
+  /// Draws one part of a picture into a framebuffer of the part's size.
+  void draw(const gl::Framebuffer& target, const Camera& camera, const RenderSettings& settings,
+            const PicturePart& part);
+
+  /// What lies under pixel (x, y), counted from the top left, of a picture.
+  Pick pick(const Camera& camera, int width, int height, int x, int y);
+  /// Triangle in each pixel, rows from the top, kNone where there is none.
+  std::vector<Index> triangleImage(const Camera& camera, int width, int height);
+  /// One place for the number of each chart that is visible with room for it.
+  std::vector<ChartLabel> chartLabels(const Camera& camera, const RenderSettings& settings,
+                                      int width, int height);
+
+  const Mesh* mesh() const { return mesh_.get(); }
+  const BoundingSphere& bounds() const { return bounds_; }
+  /// Colour of a chart as drawn, sRGB in [0, 1]; grey for a chart not known yet.
+  glm::vec3 chartColor(Index chart, const RenderSettings& settings) const;
+
+ private:
+  struct ValueLayer {
+    gl::TextureBuffer values;
+    ScalarRange range;
+  };
+  /// A program and uniforms shared by the passes of one picture.
+  struct Frame {
+    const RenderSettings& settings;
+    Eye eye;
+  };
+
+  void drawBackground(const Frame& frame);
+  void drawSurface(const Frame& frame);
+  void setFill(const Frame& frame);
+  void drawLines(const Frame& frame);
+  void drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths, float casing,
+                    const glm::vec4& color, const glm::vec4& casingColor);
+  void drawMarks(const Frame& frame);
+  void uploadSeeds(const RenderSettings& settings);
+  void drawOverlay(const Frame& frame, const Camera& camera);
+  void addScalarBar(const Frame& frame, const ScalarRange& range);
+  void addNumbers(const Frame& frame, const Camera& camera);
+  void setScale(gl::Program& program, const ScalarRange& range, const RenderSettings& settings);
+  void useColorMap(const RenderSettings& settings);
+  ScalarRange chosenRange(ScalarRange range, const RenderSettings& settings) const;
+  void drawIds(const Eye& eye, int width, int height, std::vector<GLuint>& ids, float* depth);
+
+  gl::Program backgroundProgram_, surfaceProgram_, lineProgram_, pointProgram_, idProgram_;
+  gl::VertexArray emptyVertexArray_;
+  gl::Texture colorMap_;
+  std::string loadedMap_;
+  Overlay overlay_;
+
+  std::shared_ptr<const Mesh> mesh_;
+  BoundingSphere bounds_;
+  std::optional<SurfaceMesh> surface_;
+  std::optional<ChartLayer> charts_;
+  std::optional<FloodLayer> flood_;
+  std::optional<GaussLayer> gauss_;
+  std::map<ColorMode, ValueLayer> values_;
+  gl::TextureBuffer cornerUv_, seeds_;
+  bool hasCornerUv_ = false;
+  std::vector<SeedMark> seedMarks_;
+  std::vector<glm::vec4> uploadedSeeds_;
+};
+
+}  // namespace chartflood

@@ -1,0 +1,112 @@
+#include "render/surface_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+
+namespace chartflood {
+
+namespace {
+
+/// One drawn vertex; 16 bytes, so that shaders can read the array as vec4 too.
+struct GpuVertex {
+  std::array<float, 3> place;
+  std::uint32_t normal;  ///< GL_INT_2_10_10_10_REV
+};
+
+std::uint32_t packComponent(float value) {
+  const long scaled = std::lround(std::clamp(value, -1.0f, 1.0f) * 511.0f);
+  return static_cast<std::uint32_t>(scaled) & 0x3FFu;
+}
+
+std::uint32_t packNormal(const glm::vec3& n) {
+  return packComponent(n.x) | packComponent(n.y) << 10 | packComponent(n.z) << 20;
+}
+
+struct VertexList {
+  std::vector<GpuVertex> vertices;
+  std::vector<Index> indices;
+};
+
+/// Gives each corner the entry of its vertex with the same normal, made when there is none yet.
+VertexList shareCorners(const Mesh& mesh, const CornerNormals* normals) {
+  VertexList list;
+  list.vertices.reserve(mesh.vertexCount() + mesh.vertexCount() / 8);
+  list.indices.reserve(3 * mesh.triangleCount());
+  std::vector<Index> newest(mesh.vertexCount(), kNone);  // entry of a vertex made last
+  std::vector<Index> older;                              // of an entry: the one made before
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index vertex = mesh.triangles()[t][i];
+      const std::uint32_t normal = normals ? packNormal(normals->normal[3 * t + i]) : 0;
+      Index entry = newest[vertex];
+      while (entry != kNone && list.vertices[entry].normal != normal) entry = older[entry];
+      if (entry == kNone) {
+        entry = static_cast<Index>(list.vertices.size());
+        const glm::vec3 place(mesh.positions()[vertex]);
+        list.vertices.push_back({{place.x, place.y, place.z}, normal});
+        older.push_back(newest[vertex]);
+        newest[vertex] = entry;
+      }
+      list.indices.push_back(entry);
+    }
+  }
+  return list;
+}
+
+/// Bit i of triangle t: its side i lies inside a polygon.
+std::vector<std::uint8_t> innerSides(const Mesh& mesh) {
+  std::vector<std::uint8_t> inner(mesh.triangleCount(), 0);
+  if (mesh.facesAreTriangles()) return inner;
+  for (Index side = 0; side < mesh.opposite().size(); ++side) {
+    const Index other = mesh.opposite()[side];
+    if (other == kNone || mesh.faceOf(other / 3) != mesh.faceOf(side / 3)) continue;
+    inner[side / 3] = static_cast<std::uint8_t>(inner[side / 3] | 1u << side % 3);
+  }
+  return inner;
+}
+
+void viewAsTexture(gl::Texture& texture, GLenum format, const gl::Buffer& buffer) {
+  texture = gl::Texture::create();
+  glBindTexture(GL_TEXTURE_BUFFER, texture.id());
+  glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.id());
+}
+
+}  // namespace
+
+SurfaceMesh::SurfaceMesh(const Mesh& mesh, const CornerNormals* normals)
+    : triangleCount_(mesh.triangleCount()), hasNormals_(normals != nullptr),
+      vertexArray_(gl::VertexArray::create()) {
+  const VertexList list = shareCorners(mesh, normals);
+  glBindVertexArray(vertexArray_.id());
+  gl::uploadBuffer<GpuVertex>(vertices_, GL_ARRAY_BUFFER, list.vertices);
+  gl::uploadBuffer<Index>(indices_, GL_ELEMENT_ARRAY_BUFFER, list.indices);
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(GpuVertex), nullptr);
+  glEnableVertexAttribArray(1);
+  glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(GpuVertex),
+                        reinterpret_cast<const void*>(offsetof(GpuVertex, normal)));
+  glBindVertexArray(0);
+  viewAsTexture(vertexTexture_, GL_RGBA32F, vertices_);
+  viewAsTexture(indexTexture_, GL_R32UI, indices_);
+  innerSides_.upload<std::uint8_t>(GL_R8UI, innerSides(mesh));
+}
+
+void SurfaceMesh::draw() const {
+  glBindVertexArray(vertexArray_.id());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangleCount_), GL_UNSIGNED_INT, nullptr);
+  glBindVertexArray(0);
+}
+
+void SurfaceMesh::bindArrays(GLuint vertexUnit, GLuint indexUnit, GLuint innerSideUnit) const {
+  glActiveTexture(GL_TEXTURE0 + vertexUnit);
+  glBindTexture(GL_TEXTURE_BUFFER, vertexTexture_.id());
+  glActiveTexture(GL_TEXTURE0 + indexUnit);
+  glBindTexture(GL_TEXTURE_BUFFER, indexTexture_.id());
+  innerSides_.bind(innerSideUnit);
+}
+
+}  // namespace chartflood

@@ -1,0 +1,38 @@
+#pragma once
+/// The mesh as the graphics card sees it. Uploaded once; changes of colour mode or playhead touch
+/// nothing here.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/model/corner_normals.h"
+#include "core/model/mesh.h"
+#include "render/gl/objects.h"
+
+namespace chartflood {
+
+/// Indexed triangles in the mesh's own order, so that gl_PrimitiveID is the triangle's number.
+/// Corners of one vertex share an entry where their normals agree.
+class SurfaceMesh {
+ public:
+  /// Uploads places and normals. Without `normals` shading uses the plane of each triangle.
+  SurfaceMesh(const Mesh& mesh, const CornerNormals* normals);
+
+  std::size_t triangleCount() const { return triangleCount_; }
+  bool hasNormals() const { return hasNormals_; }
+  /// Draws all triangles with the program in use (attributes 0: place, 1: normal).
+  void draw() const;
+  /// Makes vertices (RGBA32F), indices (R32UI) and inner sides (R8UI) readable by shaders.
+  void bindArrays(GLuint vertexUnit, GLuint indexUnit, GLuint innerSideUnit) const;
+
+ private:
+  std::size_t triangleCount_ = 0;
+  bool hasNormals_ = false;
+  gl::VertexArray vertexArray_;
+  gl::Buffer vertices_, indices_;
+  gl::Texture vertexTexture_, indexTexture_;
+  gl::TextureBuffer innerSides_;
+};
+
+}  // namespace chartflood

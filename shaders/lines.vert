@@ -1,0 +1,58 @@
+#version 330 core
+// Thick lines: six vertices a segment, no vertex data but the array of segments.
+#include "common/color_map.glsl"
+#include "common/eye.glsl"
+
+uniform samplerBuffer uSegments;  // two texels each: (start, value), (end, unused)
+uniform int uFirst;
+uniform vec2 uWidths;    // pixels, at the low and the high end of the scale; equal: no scale
+uniform float uCasing;   // width of the edge around the line, pixels
+uniform vec4 uColor;     // sRGB; alpha 0: colour by value
+uniform float uLift;     // how far before the surface, in line widths
+
+noperspective out vec2 vPlace;  // along and across the segment, pixels
+flat out float vLength;
+flat out float vRadius;  // of the line without casing
+flat out vec3 vColor;
+
+const float kNear = 1e-4;
+
+void main() {
+  int segment = uFirst + gl_VertexID / 6;
+  int corner = gl_VertexID % 6;
+  vec4 first = texelFetch(uSegments, 2 * segment);
+  vec3 a = (uView * vec4(first.xyz, 1.0)).xyz;
+  vec3 b = (uView * vec4(texelFetch(uSegments, 2 * segment + 1).xyz, 1.0)).xyz;
+  float t = scaled(first.w);
+  vRadius = 0.5 * mix(uWidths.x, uWidths.y, t);
+  vColor = uColor.a == 0.0 ? mapped(t) : uColor.rgb;
+
+  if (!uOrthographic) {  // keep only what lies before the eye
+    if (a.z > -kNear && b.z > -kNear) {
+      gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+      return;
+    }
+    if (a.z > -kNear) a = mix(a, b, (a.z + kNear) / (a.z - b.z));
+    if (b.z > -kNear) b = mix(b, a, (b.z + kNear) / (b.z - a.z));
+  }
+  float lift = (2.0 * vRadius + uCasing) * uLift;
+  vec4 clipA = uProjection * vec4(raised(a, lift), 1.0);
+  vec4 clipB = uProjection * vec4(raised(b, lift), 1.0);
+  vec2 screenA = 0.5 * uViewport * clipA.xy / clipA.w;
+  vec2 screenB = 0.5 * uViewport * clipB.xy / clipB.w;
+  vec2 along = screenB - screenA;
+  vLength = length(along);
+  along = vLength > 1e-4 ? along / vLength : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+
+  // Corners 0 1 2, 2 1 3 of the rectangle around the line; half a pixel more for its smooth edge.
+  int place = corner < 3 ? corner : (corner == 3 ? 2 : (corner == 4 ? 1 : 3));
+  bool atEnd = place >= 2;
+  float reach = vRadius + uCasing + 1.0;
+  float sideways = (place & 1) == 0 ? -reach : reach;
+  vPlace = vec2(atEnd ? vLength + reach : -reach, sideways);
+  vec4 clip = atEnd ? clipB : clipA;
+  vec2 screen = screenA + along * vPlace.x + across * vPlace.y;
+  clip.xy = screen / (0.5 * uViewport) * clip.w;
+  gl_Position = tiled(clip);
+}
