@@ -28,26 +28,29 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return previous[b.size()];
 }
 
-/// A word that was cut short counts as one edit away.
-std::size_t distance(std::string_view word, std::string_view candidate) {
+/// How far a candidate is: first by edits, where a word that was cut short counts as one, then by
+/// all its edits.
+std::pair<std::size_t, std::size_t> distance(std::string_view word, std::string_view candidate) {
   constexpr std::size_t kShortestStart = 3;
+  const std::size_t edits = editDistance(word, candidate);
   const bool start = word.size() >= kShortestStart && candidate.starts_with(word);
-  return start && candidate != word ? 1 : editDistance(word, candidate);
+  return {start ? std::min<std::size_t>(edits, 1) : edits, edits};
 }
 
 }  // namespace
 
 std::string nearestSpelling(std::string_view word, std::span<const std::string> candidates) {
-  std::size_t best = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t kFar = std::numeric_limits<std::size_t>::max();
+  std::pair best{kFar, kFar};
   std::string nearest;
   for (const std::string& candidate : candidates) {
-    const std::size_t edits = distance(word, candidate);
-    if (edits >= best) continue;
-    best = edits;
+    const auto found = distance(word, candidate);
+    if (found >= best) continue;
+    best = found;
     nearest = candidate;
   }
   const std::size_t limit = std::max<std::size_t>(1, word.size() / 3);
-  return best <= limit && best < word.size() ? nearest : "";
+  return best.first <= limit && best.first < word.size() ? nearest : "";
 }
 
 }  // namespace chartflood

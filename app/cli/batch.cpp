@@ -1,0 +1,88 @@
+#include "app/cli/batch.h"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <sys/resource.h>
+
+#include "app/cli/info.h"
+#include "app/cli/picture.h"
+#include "app/cli/run_session.h"
+#include "core/base/error.h"
+#include "core/io/file_output.h"
+#include "core/io/write_labels.h"
+#include "core/io/write_report.h"
+#include "core/session/make_report.h"
+
+namespace chartflood {
+
+namespace {
+
+std::size_t peakMemoryBytes() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+std::string report(const Session& session) {
+  Report report = makeReport(*session.results(), session.document().seeds, CHARTFLOOD_VERSION);
+  report.peakMemoryBytes = peakMemoryBytes();
+  return reportText(report);
+}
+
+std::string pictureBytes(const Results& results, const Invocation& call) {
+  const Image image = drawPicture(results, call.picture, call.renderingBackend);
+  const auto bytes = encodePng(image, pictureTexts(results));
+  return {bytes.begin(), bytes.end()};
+}
+
+/// Finds out before a long computation whether its results can be written.
+void checkTargets(const Invocation& call) {
+  for (const std::filesystem::path& file :
+       {call.output, call.exportLabels, std::filesystem::path(call.report)}) {
+    if (!file.empty() && file != "-") StagedFile(file, "");
+  }
+}
+
+/// All files wait beside their targets before the first one is put in place.
+void writeOutputs(const Session& session, const Invocation& call) {
+  const std::shared_ptr<const Results> results = session.results();
+  std::vector<StagedFile> files;
+  if (!call.output.empty()) files.emplace_back(call.output, pictureBytes(*results, call));
+  throwIfInterrupted();
+  if (!call.exportLabels.empty()) {
+    files.emplace_back(call.exportLabels, labelsText(*results->mesh, results->segmentation->label));
+  }
+  if (!call.report.empty() && call.report != "-") files.emplace_back(call.report, report(session));
+  throwIfInterrupted();
+  for (StagedFile& file : files) file.commit();
+  if (call.report == "-") printOutput(report(session));
+}
+
+}  // namespace
+
+void printOutput(std::string_view text) {
+  const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
+  if (written != text.size() || std::fflush(stdout) != 0) {
+    throw WriteError("standard output", "it takes no more text");
+  }
+}
+
+void runBatch(const Invocation& call) {
+  catchInterruptions();
+  checkTargets(call);
+  Session session(Session::Worker::Threaded);
+  openInput(session, call);
+  segment(session, call);
+  writeOutputs(session, call);
+}
+
+void runInfo(const Invocation& call) {
+  catchInterruptions();
+  Session session(Session::Worker::Threaded);
+  openInput(session, call);
+  printOutput(infoText(*session.results()));
+}
+
+}  // namespace chartflood

@@ -1,0 +1,21 @@
+#pragma once
+/// Calls that need no window: one run of the pipeline, all outputs from it.
+
+#include <string_view>
+
+#include "app/cli/options.h"
+
+namespace chartflood {
+
+/// Opens, segments, and writes every output that the call asks for; when one of them fails, none
+/// is written.
+/// \throws Error when something failed, UsageError, Interrupted
+void runBatch(const Invocation& call);
+
+/// Opens the mesh and prints what it holds.
+void runInfo(const Invocation& call);
+
+/// Writes to standard output. \throws WriteError when it cannot take the text.
+void printOutput(std::string_view text);
+
+}  // namespace chartflood

@@ -1,0 +1,15 @@
+#pragma once
+/// The camera that the options ask for.
+
+#include "app/cli/options.h"
+#include "core/model/mesh.h"
+#include "render/camera.h"
+
+namespace chartflood {
+
+/// Starts from an oblique view of the whole model in a picture of the given aspect (width over
+/// height), and takes over what the options say. Points of the options are in the model's units,
+/// the camera's in the mesh's normalised ones.
+Camera cameraFromOptions(const Mesh& mesh, const CameraOptions& options, double aspect);
+
+}  // namespace chartflood

@@ -1,0 +1,153 @@
+#include "app/cli/option_table.h"
+
+#include "core/session/parameters.h"
+#include "render/render_settings.h"
+
+namespace chartflood {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& words, const std::string& between = "|") {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+std::string valueName(const ParameterInfo& info) {
+  if (std::holds_alternative<bool Parameters::*>(info.member)) return "";
+  std::vector<std::string> choices;
+  for (const ParameterChoice& choice : info.choices) {
+    if (choice.built) choices.push_back(choice.id);
+  }
+  if (!choices.empty()) return joined(choices);
+  const std::string unit = info.unit;
+  return unit == "deg" ? "DEG" : "N";
+}
+
+std::string parameterHelp(const ParameterInfo& info) {
+  std::string text = info.help;
+  text += " Default: " + parameterText(parameterDefault(info));
+  const bool inPaper = *info.symbol != '\0' && *info.source != '\0';
+  if (inPaper) text += std::string("; ") + info.symbol + " in the paper";
+  return text + ".";
+}
+
+void addParameters(std::vector<OptionInfo>& table) {
+  for (const ParameterInfo& info : parameterTable()) {
+    table.push_back({info.id, valueName(info), "Segmentation", parameterHelp(info)});
+  }
+  std::vector<std::string> presets;
+  for (const Preset& preset : presetTable()) presets.push_back(preset.id);
+  table.push_back(
+      {"preset", joined(presets), "Segmentation",
+       "Values for a purpose; options given beside it win. paper: the printed method."});
+  table.push_back({"seeds", "F,F,..", "Segmentation",
+                   "Faces of the file (the first is 0) at which the charts begin."});
+  table.push_back({"steps", "N", "Segmentation",
+                   "Stop the first flood after N faces were taken: the rest stays free."});
+  table.push_back({"iterations", "N", "Segmentation",
+                   "Stop after N rounds of flooding; borders stay as flooded."});
+}
+
+void addFiles(std::vector<OptionInfo>& table) {
+  const std::string group = "Results (any of these: no window)";
+  table.push_back({"output", "F.png", group, "A picture, see below."});
+  table.push_back({"export-labels", "F.txt", group,
+                   "One chart number per face of the file, in its order; -1: no chart."});
+  table.push_back(
+      {"report", "F.json", group, "All figures as JSON; - writes them to standard output."});
+}
+
+void addPicture(std::vector<OptionInfo>& table) {
+  const std::string group = "Picture and view";
+  const auto add = [&](const char* name, const char* value, const std::string& help) {
+    table.push_back({name, value, group, help});
+  };
+  add("color-by", "MODE", joined(colorModeIds(), ", ") + ". Default: charts.");
+  add("colormap", "NAME", "Colours of values; --list-colormaps names them.");
+  add("range", "MIN,MAX", "Values at the ends of the colour map. Default: from the values.");
+  add("background", "COLOR",
+      "dark, white, black, #RRGGBB, R,G,B with 0..255, or transparent. Default: dark.");
+  add("seams", "", "Lines where charts meet. Default: on.");
+  add("edges", "", "The edges of the mesh. Default: off.");
+  add("seed-marks", "", "Marks at the seeds. Default: on.");
+  add("numbers", "", "Chart numbers on the charts. Default: off.");
+  add("scalar-bar", "", "The scale of the colours. Default: on where colours stand for values.");
+  add("resolution", "W,H", "Size of the picture in pixels. Default: 1280,960.");
+  add("supersampling", "1|2|4", "Samples a pixel in each direction, for smooth lines. Default: 2.");
+  add("view", "3d", "What is drawn.");
+}
+
+void addCamera(std::vector<OptionInfo>& table) {
+  const auto add = [&](const char* name, const char* value, const char* help) {
+    table.push_back({name, value, "Camera", help});
+  };
+  add("camera-direction", "X,Y,Z", "Look along this direction; the model fills the picture.");
+  add("camera-position", "X,Y,Z", "The eye, in the model's units.");
+  add("camera-focal-point", "X,Y,Z", "Look at this point, in the model's units.");
+  add("camera-view-up", "X,Y,Z", "This direction points up in the picture.");
+  add("camera-view-angle", "DEG", "Height of the field of view. Default: 30.");
+  add("camera-zoom-factor", "N", "Above 1: closer.");
+  add("camera-azimuth-angle", "DEG", "Turn about the upright axis.");
+  add("camera-elevation-angle", "DEG", "Turn up or down.");
+  add("camera-orthographic", "", "Without perspective. Default: off.");
+  add("up", "+Y|+Z", "The axis of the model that stands upright. Default: +Y.");
+}
+
+void addGeneral(std::vector<OptionInfo>& table) {
+  const auto add = [&](const char* name, const char* value, const char* help) {
+    table.push_back({name, value, "General", help});
+  };
+  add("sample", "NAME", "Use a model that the program makes; --list-samples names them.");
+  add("triangles", "N", "About how many triangles the sample gets.");
+  add("threads", "N", "Threads to work with; 0: one a core. Never changes a result. Default: 0.");
+  add("rendering-backend", "auto|osmesa|egl", "What draws pictures without a window.");
+  add("verbose", "LEVEL", "debug, info, warning, error or quiet. Default: warning.");
+  add("info", "", "Say what the file holds and what was repaired, and leave.");
+  add("list-samples", "", "Name the samples, and leave.");
+  add("list-colormaps", "", "Name the colour maps, and leave.");
+  add("list-bindings", "", "Name the keys of the window, and leave.");
+  add("help", "", "Say this, and leave.");
+  add("version", "", "Say the version, and leave.");
+}
+
+void addUnbuilt(std::vector<OptionInfo>& table) {
+  for (const char* name :
+       {"best-of", "balance-weight", "crease-weight", "tip", "relief-stretch", "unwrap", "layout",
+        "texture-size", "margin", "export-mesh", "export-uv", "save-session", "compare"}) {
+    table.push_back({name, "VALUE", "", "", false});
+  }
+  for (const char* name : {"cut-handles", "cut-loops", "cut-tips"}) {
+    table.push_back({name, "", "", "", false});
+  }
+}
+
+std::vector<OptionInfo> makeTable() {
+  std::vector<OptionInfo> table;
+  addParameters(table);
+  addFiles(table);
+  addPicture(table);
+  addCamera(table);
+  addGeneral(table);
+  addUnbuilt(table);
+  return table;
+}
+
+}  // namespace
+
+std::span<const OptionInfo> optionTable() {
+  static const std::vector<OptionInfo> table = makeTable();
+  return table;
+}
+
+std::vector<std::string> colorModeIds() {
+  std::vector<std::string> ids;
+  for (const ColorModeInfo& info : colorModeTable()) {
+    // From here on the modes show an unwrap, which does not exist yet.
+    if (info.mode == ColorMode::Stretch) break;
+    ids.push_back(info.id);
+  }
+  return ids;
+}
+
+}  // namespace chartflood

@@ -1,0 +1,268 @@
+#include "app/cli/options.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "app/cli/option_table.h"
+#include "app/cli/tokens.h"
+#include "app/cli/values.h"
+#include "core/base/error.h"
+#include "render/color_map.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr std::size_t kLargestCount = 1'000'000'000;
+constexpr int kLargestSide = 16384;  // pixels
+constexpr std::size_t kMostThreads = 256;
+
+void refuseUnbuilt(const Tokens& tokens) {
+  for (const OptionInfo& row : optionTable()) {
+    if (!row.built && tokens.has(row.name)) {
+      throw UsageError("--" + row.name + " is not built yet: leave it out.");
+    }
+  }
+}
+
+void readParameters(const Tokens& tokens, Invocation& call) {
+  if (tokens.has("preset")) {
+    std::vector<std::string> names;
+    for (const Preset& preset : presetTable()) names.push_back(preset.id);
+    const std::string name = readChoice("preset", tokens.text("preset"), names);
+    call.parameters = applyPreset(call.parameters, *findPreset(name));
+  }
+  for (const ParameterInfo& info : parameterTable()) {
+    if (!tokens.has(info.id)) continue;
+    if (std::string_view(info.id) == "charts" && tokens.text(info.id) == "auto") {
+      throw UsageError("--charts=auto is not built yet: give the number of charts.");
+    }
+    setParameterFromText(call.parameters, info, tokens.text(info.id));
+  }
+  call.chartsGiven = tokens.has("charts");
+}
+
+void readSteps(const Tokens& tokens, Invocation& call) {
+  if (tokens.has("seeds")) call.seeds = readFaces("seeds", tokens.text("seeds"));
+  if (tokens.has("steps")) call.steps = readCount("steps", tokens.text("steps"), 0, kLargestCount);
+  if (tokens.has("iterations")) {
+    call.iterations = readCount("iterations", tokens.text("iterations"), 1, kLargestCount);
+  }
+  if (call.steps && call.iterations) {
+    throw UsageError("--steps and --iterations exclude each other: --steps stops within the first "
+                     "round.");
+  }
+}
+
+std::filesystem::path readFileName(const Tokens& tokens, const std::string& option,
+                                   const std::string& extension) {
+  const std::filesystem::path file = tokens.text(option);
+  if (!tokens.has(option)) return file;
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
+    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  });
+  if (ending != extension) {
+    throw UsageError("--" + option + "=" + file.string() + " cannot be written: give a name that " +
+                     "ends in " + extension + ".");
+  }
+  return file;
+}
+
+void readFiles(const Tokens& tokens, Invocation& call) {
+  call.output = readFileName(tokens, "output", ".png");
+  call.exportLabels = readFileName(tokens, "export-labels", ".txt");
+  call.report = tokens.text("report");
+  if (call.report != "-") readFileName(tokens, "report", ".json");
+}
+
+void readColors(const Tokens& tokens, RenderSettings& settings) {
+  if (tokens.has("color-by")) {
+    const std::string id = tokens.text("color-by");
+    const ColorModeInfo* mode = findColorMode(id);
+    const std::vector<std::string> built = colorModeIds();
+    if (mode != nullptr && std::find(built.begin(), built.end(), id) == built.end()) {
+      throw UsageError("--color-by=" + id + " is not built yet: choose another colour mode.");
+    }
+    settings.colorMode = findColorMode(readChoice("color-by", id, built))->mode;
+  }
+  if (tokens.has("colormap")) {
+    std::vector<std::string> names;
+    for (const ColorMap& map : colorMapTable()) names.push_back(map.id);
+    settings.colorMap = readChoice("colormap", tokens.text("colormap"), names);
+  }
+  if (tokens.has("range")) {
+    const auto ends = readNumbers("range", tokens.text("range"), 2, "two numbers, MIN,MAX");
+    if (ends[0] >= ends[1]) {
+      throw UsageError("--range=" + tokens.text("range") +
+                       " is empty: give the smaller number first.");
+    }
+    settings.range = {ends[0], ends[1]};
+  }
+}
+
+void readBackground(const Tokens& tokens, RenderSettings& settings) {
+  if (!tokens.has("background")) return;
+  try {
+    settings.background = backgroundFromText(tokens.text("background"));
+  } catch (const UsageError& error) {
+    throw UsageError(std::string("--background: ") + error.what());
+  }
+}
+
+void readOverlays(const Tokens& tokens, RenderSettings& settings) {
+  const auto read = [&](const char* option, bool& value) {
+    if (tokens.has(option)) value = readSwitch(option, tokens.text(option));
+  };
+  read("seams", settings.seams);
+  read("edges", settings.edges);
+  read("seed-marks", settings.seedMarks);
+  read("numbers", settings.numbers);
+  read("scalar-bar", settings.scalarBar);
+}
+
+void readPicture(const Tokens& tokens, PictureOptions& picture) {
+  readColors(tokens, picture.settings);
+  readBackground(tokens, picture.settings);
+  readOverlays(tokens, picture.settings);
+  if (tokens.has("resolution")) {
+    std::tie(picture.width, picture.height) =
+        readSize("resolution", tokens.text("resolution"), kLargestSide);
+  }
+  if (tokens.has("supersampling")) {
+    const std::vector<std::string> allowed{"1", "2", "4"};
+    picture.supersampling =
+        readChoice("supersampling", tokens.text("supersampling"), allowed).front() - '0';
+  }
+  const std::string view = tokens.text("view");
+  if (view == "uv" || view == "both") {
+    throw UsageError("--view=" + view + " is not built yet: give 3d.");
+  }
+  if (tokens.has("view")) readChoice("view", view, std::vector<std::string>{"3d"});
+}
+
+double readWithin(const Tokens& tokens, const std::string& option, double least, double most,
+                  const std::string& allowed) {
+  const double value = readNumber(option, tokens.text(option));
+  if (!(value >= least && value <= most)) {
+    throw UsageError("--" + option + "=" + tokens.text(option) +
+                     " is out of range: give a number " + allowed + ".");
+  }
+  return value;
+}
+
+void readCamera(const Tokens& tokens, CameraOptions& camera) {
+  const auto vector = [&](const char* option, std::optional<glm::dvec3>& value, bool direction) {
+    if (tokens.has(option)) value = readVector(option, tokens.text(option), direction);
+  };
+  vector("camera-direction", camera.direction, true);
+  vector("camera-view-up", camera.viewUp, true);
+  vector("camera-position", camera.position, false);
+  vector("camera-focal-point", camera.focalPoint, false);
+  if (tokens.has("camera-view-angle")) {
+    camera.viewAngle = readWithin(tokens, "camera-view-angle", 1, 170, "from 1 to 170");
+  }
+  if (tokens.has("camera-zoom-factor")) {
+    camera.zoomFactor = readWithin(tokens, "camera-zoom-factor", 1e-3, 1e3, "from 0.001 to 1000");
+  }
+  if (tokens.has("camera-azimuth-angle")) {
+    camera.azimuthAngle = readWithin(tokens, "camera-azimuth-angle", -360, 360, "from -360 to 360");
+  }
+  if (tokens.has("camera-elevation-angle")) {
+    camera.elevationAngle =
+        readWithin(tokens, "camera-elevation-angle", -180, 180, "from -180 to 180");
+  }
+  if (tokens.has("camera-orthographic")) {
+    camera.orthographic = readSwitch("camera-orthographic", tokens.text("camera-orthographic"));
+  }
+  if (tokens.has("up")) {
+    const std::vector<std::string> axes{"+Y", "+Z"};
+    camera.upIsZ = readChoice("up", tokens.text("up"), axes) == "+Z";
+  }
+  if (camera.direction && camera.position && camera.focalPoint) {
+    throw UsageError("--camera-direction, --camera-position and --camera-focal-point together say "
+                     "too much: leave one out.");
+  }
+  if (camera.position && camera.focalPoint && *camera.position == *camera.focalPoint) {
+    throw UsageError("--camera-position and --camera-focal-point are the same point: move one.");
+  }
+}
+
+void readGeneral(const Tokens& tokens, Invocation& call) {
+  if (tokens.has("sample")) call.sample = tokens.text("sample");
+  if (tokens.has("triangles")) {
+    call.triangles = readCount("triangles", tokens.text("triangles"), 1, 50'000'000);
+  }
+  if (tokens.has("threads")) {
+    call.threads =
+        static_cast<unsigned>(readCount("threads", tokens.text("threads"), 0, kMostThreads));
+  }
+  if (tokens.has("rendering-backend")) {
+    const std::vector<std::string> backends{"auto", "osmesa", "egl"};
+    call.renderingBackend =
+        readChoice("rendering-backend", tokens.text("rendering-backend"), backends);
+  }
+  if (tokens.has("verbose")) {
+    const std::vector<std::string> levels{"debug", "info", "warning", "error", "quiet"};
+    const std::string level = readChoice("verbose", tokens.text("verbose"), levels);
+    const auto place = std::find(levels.begin(), levels.end(), level) - levels.begin();
+    call.verbose = static_cast<LogLevel>(place);
+  }
+}
+
+void readInput(const Tokens& tokens, Invocation& call) {
+  if (tokens.files.size() > 1) {
+    throw UsageError("Only one file can be opened: " + tokens.files[1] + " is one too many.");
+  }
+  if (!tokens.files.empty()) {
+    if (tokens.files[0].empty()) throw UsageError("The name of the file is empty: give its name.");
+    if (tokens.has("sample")) {
+      throw UsageError("--sample and " + tokens.files[0] + " exclude each other: leave one out.");
+    }
+    call.file = tokens.files[0];
+    if (call.file.extension() == ".chartflood") {
+      throw UsageError("Session files such as " + tokens.files[0] +
+                       " cannot be opened yet: give a mesh.");
+    }
+  }
+  if (!call.file.empty() && tokens.has("triangles")) {
+    throw UsageError("--triangles is for samples only: leave it out, or give --sample=NAME.");
+  }
+}
+
+/// The first task that is asked for wins in this order: the shorter answer first.
+Invocation::Task readTask(const Tokens& tokens, const Invocation& call) {
+  using Task = Invocation::Task;
+  const std::pair<const char*, Task> tasks[] = {
+      {"help", Task::Help},
+      {"version", Task::Version},
+      {"list-samples", Task::ListSamples},
+      {"list-colormaps", Task::ListColormaps},
+      {"list-bindings", Task::ListBindings},
+      {"info", Task::Info},
+  };
+  for (const auto& [option, task] : tasks) {
+    if (tokens.has(option) && readSwitch(option, tokens.text(option))) return task;
+  }
+  const bool writes = !call.output.empty() || !call.exportLabels.empty() || !call.report.empty();
+  return writes ? Task::Batch : Task::Window;
+}
+
+}  // namespace
+
+Invocation readOptions(std::span<const std::string> words) {
+  const Tokens tokens = readTokens(words, optionTable());
+  refuseUnbuilt(tokens);
+  Invocation call;
+  readParameters(tokens, call);
+  readSteps(tokens, call);
+  readFiles(tokens, call);
+  readPicture(tokens, call.picture);
+  readCamera(tokens, call.picture.camera);
+  readGeneral(tokens, call);
+  readInput(tokens, call);
+  call.task = readTask(tokens, call);
+  return call;
+}
+
+}  // namespace chartflood

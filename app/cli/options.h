@@ -1,0 +1,69 @@
+#pragma once
+/// From the words of the command line to what is to be done.
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/base/index.h"
+#include "core/base/log.h"
+#include "core/session/parameters.h"
+#include "render/render_settings.h"
+
+namespace chartflood {
+
+/// Where the picture is taken from. What is absent comes from the view that shows the whole model.
+struct CameraOptions {
+  std::optional<glm::dvec3> direction, viewUp;     ///< not zero
+  std::optional<glm::dvec3> position, focalPoint;  ///< model units
+  std::optional<double> viewAngle;                 ///< degrees, in (0, 170]
+  double zoomFactor = 1;                           ///< > 0
+  double azimuthAngle = 0, elevationAngle = 0;     ///< degrees
+  bool orthographic = false;
+  bool upIsZ = false;
+};
+
+/// What the picture shows, and how large.
+struct PictureOptions {
+  RenderSettings settings;
+  int width = 1280, height = 960;  ///< pixels
+  int supersampling = 2;           ///< samples a pixel in each direction
+  CameraOptions camera;
+};
+
+/// One call of the program.
+struct Invocation {
+  enum class Task { Window, Batch, Info, Help, Version, ListSamples, ListColormaps, ListBindings };
+  Task task = Task::Window;
+
+  std::filesystem::path file;  ///< "": the sample
+  std::string sample = kFirstSample;
+  std::size_t triangles = 0;  ///< of the sample; 0: its own number
+
+  Parameters parameters;
+  bool chartsGiven = false;          ///< --charts was written
+  std::vector<Index> seeds;          ///< faces of the input file; empty: placed by the method
+  std::optional<std::size_t> steps;  ///< faces of the first flood
+  std::optional<std::size_t> iterations;
+
+  std::filesystem::path output;        ///< picture; "": none
+  std::filesystem::path exportLabels;  ///< "": none
+  std::string report;                  ///< file name, "-" for standard output, "": none
+  PictureOptions picture;
+
+  LogLevel verbose = LogLevel::Warning;
+  unsigned threads = 0;  ///< 0: one a core
+  std::string renderingBackend = "auto";
+
+  static constexpr const char* kFirstSample = "rocket";
+};
+
+/// Reads the words after the program's name. \throws UsageError
+Invocation readOptions(std::span<const std::string> words);
+
+}  // namespace chartflood

@@ -1,0 +1,22 @@
+#pragma once
+/// The picture of a batch run.
+
+#include <string>
+
+#include "app/cli/options.h"
+#include "core/session/session.h"
+#include "render/image.h"
+
+namespace chartflood {
+
+/// Draws the results as the options ask. `backend` is "auto", "osmesa" or "egl".
+/// \pre mesh, Gauss area and segmentation are there
+/// \throws Error when nothing can draw
+Image drawPicture(const Results& results, const PictureOptions& options,
+                  const std::string& backend);
+
+/// What a picture file says about itself: the program, the model and every parameter that differs
+/// from its default, as options.
+ImageTexts pictureTexts(const Results& results);
+
+}  // namespace chartflood

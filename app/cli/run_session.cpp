@@ -1,0 +1,153 @@
+#include "app/cli/run_session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <thread>
+
+#include <unistd.h>
+
+#include "core/base/log.h"
+#include "core/io/samples.h"
+
+namespace chartflood {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void remember(int) { interrupted = 1; }
+
+/// One line on standard error that is written over; nothing unless that is a terminal.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool wanted) : shown_(wanted && isatty(STDERR_FILENO) != 0) {}
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (drawn_) std::fputs("\r\033[K", stderr);
+  }
+  void show(const WorkStatus& status) {
+    constexpr double kSilentSeconds = 0.3;
+    if (!shown_ || status.seconds < kSilentSeconds) return;
+    std::fprintf(stderr, "\r\033[K%s %.0f %%", status.phase,
+                 100.0 * static_cast<double>(status.fraction));
+    std::fflush(stderr);
+    drawn_ = true;
+  }
+
+ private:
+  bool shown_ = false;
+  bool drawn_ = false;
+};
+
+/// Passes on what the session says. \throws Error for what failed
+void passNotices(Session& session) {
+  for (const Notice& notice : session.takeNotices()) {
+    if (notice.kind == Notice::Kind::Error) throw Error(notice.text);
+    const bool warning = notice.kind == Notice::Kind::Warning;
+    logMessage(warning ? LogLevel::Warning : LogLevel::Info, notice.text);
+  }
+}
+
+void wait(Session& session, const Invocation& call) {
+  {
+    ProgressLine line(call.verbose < LogLevel::Quiet);
+    for (WorkStatus status = session.status(); status.busy; status = session.status()) {
+      if (interrupted != 0) session.stop();
+      line.show(status);
+      std::this_thread::sleep_for(std::chrono::milliseconds(status.seconds < 0.1 ? 1 : 20));
+    }
+    session.waitIdle();
+  }
+  throwIfInterrupted();
+  passNotices(session);
+}
+
+void checkSample(const std::string& name) {
+  std::vector<std::string> names;
+  for (const SampleInfo& sample : sampleTable()) names.push_back(sample.id);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  const std::string near = nearestSpelling(name, names);
+  throw UsageError("There is no sample " + name + ": " +
+                   (near.empty() ? "--list-samples names all." : "did you mean " + near + "?"));
+}
+
+/// Faces of the mesh for faces of the input file.
+std::vector<Index> meshFaces(const Mesh& mesh, const std::vector<Index>& inputFaces) {
+  std::vector<Index> faces;
+  for (const Index wanted : inputFaces) {
+    // Faces keep their order, so the numbers in the file ascend.
+    Index low = 0, high = static_cast<Index>(mesh.faceCount());
+    while (low < high) {
+      const Index middle = low + (high - low) / 2;
+      if (mesh.inputFace(middle) < wanted)
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    if (low == mesh.faceCount() || mesh.inputFace(low) != wanted) {
+      throw UsageError("--seeds names face " + std::to_string(wanted) +
+                       ", which the mesh does not have: give faces from 0 to " +
+                       std::to_string(mesh.input().faceCount() - 1) + " that were not dropped.");
+    }
+    faces.push_back(low);
+  }
+  return faces;
+}
+
+void placeSeeds(Session& session, const Invocation& call) {
+  if (call.seeds.empty()) return;
+  Document document = session.document();
+  document.seeds = meshFaces(*session.results()->mesh, call.seeds);
+  const int count = static_cast<int>(document.seeds.size());
+  if (!call.chartsGiven) document.parameters.charts = count;
+  if (document.parameters.charts < count) {
+    throw UsageError("--seeds names " + std::to_string(count) +
+                     " faces, but --charts=" + std::to_string(document.parameters.charts) +
+                     " asks for fewer charts: leave --charts out or raise it.");
+  }
+  session.setDocument(document, false);
+  wait(session, call);
+}
+
+}  // namespace
+
+void catchInterruptions() {
+  std::signal(SIGINT, remember);
+  std::signal(SIGTERM, remember);
+}
+
+void throwIfInterrupted() {
+  if (interrupted != 0) throw Interrupted();
+}
+
+void openInput(Session& session, const Invocation& call) {
+  Document document;
+  document.parameters = call.parameters;
+  session.setDocument(document, false);
+  if (call.file.empty()) {
+    checkSample(call.sample);
+    session.openSample(call.sample, call.triangles);
+  } else {
+    session.open(call.file);
+  }
+  wait(session, call);
+  if (!session.results()->mesh) throw Error("Nothing was loaded.");
+}
+
+void segment(Session& session, const Invocation& call) {
+  placeSeeds(session, call);
+  if (call.steps) {
+    session.step(StepUnit::Face, std::min(*call.steps, session.results()->mesh->faceCount()));
+  } else if (call.iterations) {
+    session.step(StepUnit::Flood, *call.iterations);
+  } else {
+    session.step(StepUnit::Converged);
+  }
+  wait(session, call);
+}
+
+}  // namespace chartflood

@@ -1,0 +1,33 @@
+#pragma once
+/// Drives a session from the command line: opens the mesh, segments it, shows progress on a
+/// terminal and stops when the user interrupts.
+
+#include <memory>
+#include <vector>
+
+#include "app/cli/options.h"
+#include "core/base/error.h"
+#include "core/session/session.h"
+
+namespace chartflood {
+
+/// The user pressed Ctrl+C (or the program was asked to end).
+class Interrupted : public Error {
+ public:
+  Interrupted() : Error("Interrupted: nothing was written.") {}
+};
+
+/// From now on an interruption is remembered instead of ending the program at once.
+void catchInterruptions();
+/// \throws Interrupted when one came since
+void throwIfInterrupted();
+
+/// Opens the file or sample of the call.
+/// \throws Error when it cannot be read, UsageError for an unknown sample.
+void openInput(Session& session, const Invocation& call);
+
+/// Segments the open mesh as the call asks: to the end, or for some faces or rounds.
+/// \throws UsageError for a seed that is no face of the mesh
+void segment(Session& session, const Invocation& call);
+
+}  // namespace chartflood
