@@ -2,19 +2,19 @@
 /// The small interface that every segmentation method implements.
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/model/flood_graph.h"
 #include "core/model/flood_record.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "core/model/segmentation.h"
 
 namespace chartflood {
-
-struct FloodGraph;
 
 /// How far one call goes.
 enum class StepUnit {
@@ -47,6 +47,37 @@ class Stepper {
   /// Index into history() of the best round so far; 0 when there is none yet.
   virtual std::size_t bestIteration() const = 0;
   virtual StopReason stopReason() const = 0;
+
+  /// Floods a round of the history again and makes it the present state, as if it had just been
+  /// finished; later rounds stay in the history.
+  virtual StepOutcome adopt(std::size_t iteration, Progress& progress) = 0;
+  /// Begins the present flood again: same seeds and offsets, nothing taken.
+  virtual void restartFlood() = 0;
+};
+
+/// What every method starts from. The parts are shared, so steppers outlive a change of mesh.
+struct SegmentInputs {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const GaussArea> gaussArea;
+  std::shared_ptr<const FloodGraph> floodGraph;
+};
+
+/// What the methods can be told; each uses what it knows.
+struct SegmentOptions {
+  std::size_t charts = 20;
+  std::vector<Index> seeds;     ///< first seeds, may be fewer than charts
+  std::vector<double> offsets;  ///< of the first round, one per seed; empty: zero
+  std::uint32_t rngSeed = 1;
+  bool useOffsets = true;
+  double offsetDamping = 0.3;
+  bool lookahead = true;
+  std::size_t maxIterations = 60;
+  std::size_t patience = 10;
+  bool detectCycles = true;
+  std::size_t settle = 4;         ///< rounds without gain that end balancing with seeds at rest
+  bool refineMoves = true;  ///< clean up borders by single-face moves at the end
+  double cleanUp = 1000;    ///< their weight of balance
+  bool record = true;       ///< keep a log of the present flood
 };
 
 }  // namespace chartflood

@@ -25,6 +25,7 @@ struct Parameters {
   int maxIterations = 60;             ///< max-iterations
   int patience = 10;                  ///< patience: n of section 3.4
   bool detectCycles = true;           ///< detect-cycles
+  int settle = 4;                     ///< settle: rounds without gain, seeds at rest
   std::string search = "auto";        ///< search
   std::string start = "auto";         ///< start
   std::string refine = "moves";       ///< refine

@@ -1,0 +1,43 @@
+#include "core/flood/flood.h"
+
+#include <cstdint>
+
+#include "core/flood/arc_store.h"
+#include "core/flood/flood_engine.h"
+#include "core/flood/triangle_store.h"
+
+namespace chartflood {
+
+namespace {
+
+double meanDelay(const FloodGraph& graph) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const FloodFace& face : graph.faces) {
+    for (int k = 0; k < 3; ++k) {
+      if (face.neighbour[k] == kNone) continue;
+      sum += static_cast<double>(face.delay[k]);
+      ++count;
+    }
+  }
+  for (const FloodArc& arc : graph.arcs) sum += static_cast<double>(arc.delay);
+  count += graph.arcs.size();
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
+}  // namespace
+
+std::unique_ptr<Flood> makeFlood(const FloodGraph& graph, std::size_t chartCount) {
+  const double mean = meanDelay(graph);
+  if (graph.packed() && chartCount <= TriangleStore<std::uint8_t>::kMaxCharts) {
+    return std::make_unique<FloodEngine<TriangleStore<std::uint8_t>>>(graph, mean);
+  }
+  if (graph.packed() && chartCount <= TriangleStore<std::uint16_t>::kMaxCharts) {
+    return std::make_unique<FloodEngine<TriangleStore<std::uint16_t>>>(graph, mean);
+  }
+  if (graph.packed())
+    return std::make_unique<FloodEngine<TriangleStore<std::uint32_t>>>(graph, mean);
+  return std::make_unique<FloodEngine<ArcStore>>(graph, mean);
+}
+
+}  // namespace chartflood

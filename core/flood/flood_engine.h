@@ -1,0 +1,170 @@
+#pragma once
+/// The flood itself, over either store. Included by flood.cpp only.
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/check.h"
+#include "core/flood/chart_center.h"
+#include "core/flood/flood.h"
+#include "core/flood/min_heap.h"
+#include "core/flood/primary_queue.h"
+
+namespace chartflood {
+
+template <class Store>
+class FloodEngine final : public Flood {
+ public:
+  FloodEngine(const FloodGraph& graph, double meanDelay)
+      : store_(graph), center_(store_), meanDelay_(meanDelay) {}
+
+  void start(std::span<const Index> seeds, std::span<const double> offsets, bool lookahead,
+             std::shared_ptr<FloodRecord> record) override {
+    CF_CHECK(seeds.size() == offsets.size() && !seeds.empty());
+    store_.reset();
+    charts_.resize(seeds.size());
+    queue_.reset(seeds.size());
+    for (std::size_t c = 0; c < seeds.size(); ++c) {
+      charts_[c].heap.clear();
+      charts_[c].balance = offsets[c];
+      charts_[c].nextGain = 0;
+    }
+    seeds_.assign(seeds.begin(), seeds.end());
+    lookahead_ = lookahead;
+    record_ = std::move(record);
+    counts_ = {};
+    nextSeed_ = 0;
+    done_ = false;
+  }
+
+  std::size_t advance(std::size_t count, Progress* progress) override {
+    std::size_t took = 0;
+    while (took < count && !done_) {
+      const std::size_t burst = std::min(count - took, kBurst);
+      for (std::size_t i = 0; i < burst && !done_; ++i) took += step() ? 1 : 0;
+      if (record_) record_->publish();
+      if (progress != nullptr) {
+        progress->setFraction(static_cast<float>(counts_.takes) /
+                              static_cast<float>(store_.faceCount()));
+        if (progress->cancelled()) break;
+      }
+    }
+    return took;
+  }
+
+  bool finished() const override { return done_; }
+  std::size_t taken() const override { return counts_.takes; }
+  const FloodCounts& counts() const override { return counts_; }
+
+  void copyLabels(std::vector<Index>& labels) const override {
+    labels.resize(store_.faceCount());
+    for (Index f = 0; f < labels.size(); ++f) labels[f] = store_.label(f);
+  }
+
+  std::vector<Index> farthestFromBorder(std::span<const Index> seeds) override {
+    return center_.find(seeds, meanDelay_);
+  }
+
+ private:
+  /// Takes between two looks at the clock, the readers and the cancel flag.
+  static constexpr std::size_t kBurst = 2048;
+
+  struct Chart {
+    MinHeap heap;        ///< faces at its border by local time (the secondary heap)
+    double balance = 0;  ///< gains so far plus offset
+    float nextGain = 0;  ///< gain of the heap's top, for the key and for its taking
+  };
+
+  /// Takes one face; false when the last one was taken before.
+  bool step() {
+    if (nextSeed_ < seeds_.size()) {
+      const Index chart = nextSeed_++;
+      CF_CHECK(store_.isFree(seeds_[chart]));
+      charts_[chart].balance += static_cast<double>(store_.gain(seeds_[chart], chart));
+      take(seeds_[chart], chart, 0.0f, false);
+      if (nextSeed_ == seeds_.size()) {
+        for (Index c = 0; c < charts_.size(); ++c) rank(c);
+        done_ = !findNext();
+      }
+      return true;
+    }
+    const Index chart = next_;
+    Chart& growing = charts_[chart];
+    const TimedFace top = growing.heap.top();
+    ++counts_.pops;
+    growing.balance += static_cast<double>(growing.nextGain);
+    take(faceOf(top), chart, timeOf(top), true);
+    rank(chart);
+    done_ = !findNext();
+    return true;
+  }
+
+  /// Labels the face and offers its neighbours. With `fromHeap` the face is the heap's top, whose
+  /// place the first offer takes.
+  void take(Index face, Index chart, float time, bool fromHeap) {
+    store_.take(face, chart);
+    ++counts_.takes;
+    if (record_) record_->append(face, chart, time);
+    MinHeap& heap = charts_[chart].heap;
+    store_.forEachOffer(face, chart, [&](Index neighbour, float delay) {
+      const TimedFace offer = timedFace(time + delay, neighbour);
+      if (fromHeap) {
+        heap.replaceTop(offer);
+        fromHeap = false;
+      } else {
+        heap.push(offer);
+      }
+      store_.prefetchFace(neighbour);
+      ++counts_.pushes;
+    });
+    if (fromHeap) heap.pop();
+  }
+
+  /// Drops faces that others took from the top of the chart's heap and sets its key.
+  void rank(Index chart) {
+    Chart& c = charts_[chart];
+    while (!c.heap.empty() && !store_.isFree(faceOf(c.heap.top()))) {
+      c.heap.pop();
+      ++counts_.pops;
+    }
+    if (c.heap.empty()) {
+      queue_.setKey(chart, PrimaryQueue::kFinished);
+      return;
+    }
+    const Index face = faceOf(c.heap.top());
+    c.nextGain = store_.gain(face, chart);
+    queue_.setKey(chart, lookahead_ ? c.balance + static_cast<double>(c.nextGain) : c.balance);
+    // It will be this chart's turn again after about one take of every other chart: time enough
+    // for the memory to bring what that take touches.
+    store_.prefetchNeighbours(face);
+    const std::size_t candidates = std::min<std::size_t>(c.heap.size(), 9);
+    for (std::size_t i = 1; i < candidates; ++i) store_.prefetchFace(faceOf(c.heap.entry(i)));
+  }
+
+  /// Finds the chart that grows next. Its next face is free: a chart whose next face was taken by
+  /// another meanwhile is ranked anew first.
+  bool findNext() {
+    while (true) {
+      next_ = queue_.top();
+      if (queue_.topKey() == PrimaryQueue::kFinished) return false;
+      if (store_.isFree(faceOf(charts_[next_].heap.top()))) return true;
+      rank(next_);
+    }
+  }
+
+  Store store_;
+  ChartCenter<Store> center_;
+  double meanDelay_;
+  std::vector<Chart> charts_;
+  PrimaryQueue queue_;
+  std::vector<Index> seeds_;
+  std::shared_ptr<FloodRecord> record_;
+  FloodCounts counts_;
+  Index nextSeed_ = 0, next_ = 0;
+  bool lookahead_ = true, done_ = true;
+};
+
+}  // namespace chartflood

@@ -1,0 +1,122 @@
+#pragma once
+/// Labels of triangular faces during a flood: every face also knows its neighbours' labels, so that
+/// a step reads one word and no neighbour's record.
+
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "core/base/index.h"
+#include "core/flood/corner_state.h"
+#include "core/model/flood_graph.h"
+
+namespace chartflood {
+
+/// `Label` is an unsigned type that holds every chart number and two more values.
+template <class Label>
+class TriangleStore {
+ public:
+  explicit TriangleStore(const FloodGraph& graph) : graph_(graph), corners_(graph) {
+    dry_.resize(graph.faceCount);
+    for (std::size_t f = 0; f < graph.faceCount; ++f) {
+      dry_[f].own = kFree;
+      for (int k = 0; k < 3; ++k) {
+        dry_[f].across[k] = graph.faces[f].neighbour[k] == kNone ? kWall : kFree;
+      }
+    }
+    words_.resize(dry_.size());
+    reset();
+  }
+
+  static constexpr std::size_t kMaxCharts = std::numeric_limits<Label>::max() - 1;
+
+  std::size_t faceCount() const { return words_.size(); }
+  void reset() {
+    std::memcpy(words_.data(), dry_.data(), dry_.size() * sizeof(Word));
+    corners_.reset();
+  }
+
+  bool isFree(Index face) const { return words_[face].own == kFree; }
+  Index label(Index face) const { return words_[face].own == kFree ? kNone : words_[face].own; }
+
+  /// Labels the face and tells its neighbours.
+  void take(Index face, Index chart) {
+    const FloodFace& record = graph_.faces[face];
+    const Label label = static_cast<Label>(chart);
+    words_[face].own = label;
+    for (const Index n : record.neighbour) {
+      if (n != kNone) words_[n >> 2].across[n & 3] = label;
+    }
+    if (record.extra == 0) return;
+    for (const Index corner : graph_.extras[record.extra].corner) {
+      if (corner != kNone) corners_.take(corner, 1, chart);
+    }
+  }
+
+  /// Gauss area (plus eta times area) that `chart` gains by the face (Delta A_G of section 3.3).
+  float gain(Index face, Index chart) const {
+    const FloodFace& record = graph_.faces[face];
+    if (record.extra == 0) return record.gain;
+    const FloodExtra& extra = graph_.extras[record.extra];
+    float sum = record.gain;
+    for (int k = 0; k < 3; ++k) {
+      if (words_[face].across[k] == chart) sum += extra.edge[k];
+      if (extra.corner[k] != kNone) sum += corners_.gain(extra.corner[k], 1, chart);
+    }
+    return sum;
+  }
+
+  /// Calls `offer(neighbour, delay)` for each free neighbour of a face just taken that no other
+  /// face of the chart has offered before ("first incidence").
+  template <class Offer>
+  void forEachOffer(Index face, Index chart, const Offer& offer) const {
+    const FloodFace& record = graph_.faces[face];
+    const Word& word = words_[face];
+    for (int k = 0; k < 3; ++k) {
+      if (word.across[k] != kFree) continue;
+      const Index neighbour = record.neighbour[k] >> 2;
+      const Word& there = words_[neighbour];
+      const int incidences =
+          (there.across[0] == chart) + (there.across[1] == chart) + (there.across[2] == chart);
+      if (incidences == 1) offer(neighbour, record.delay[k]);
+    }
+  }
+
+  /// True when the face touches another chart or the mesh border.
+  bool onBorder(Index face) const {
+    const Word& word = words_[face];
+    return word.across[0] != word.own || word.across[1] != word.own || word.across[2] != word.own;
+  }
+
+  /// Calls `visit(neighbour, delay)` for each neighbour in the same chart.
+  template <class Visit>
+  void forEachInside(Index face, const Visit& visit) const {
+    const FloodFace& record = graph_.faces[face];
+    const Word& word = words_[face];
+    for (int k = 0; k < 3; ++k) {
+      if (word.across[k] == word.own) visit(record.neighbour[k] >> 2, record.delay[k]);
+    }
+  }
+
+  void prefetchFace(Index face) const { __builtin_prefetch(&graph_.faces[face]); }
+  /// Fetches what taking the face will write; its record should be at hand already.
+  void prefetchNeighbours(Index face) const {
+    for (const Index n : graph_.faces[face].neighbour) {
+      if (n != kNone) __builtin_prefetch(&words_[n >> 2], 1);
+    }
+  }
+
+ private:
+  struct Word {
+    Label own;
+    Label across[3];
+  };
+  static constexpr Label kFree = std::numeric_limits<Label>::max();
+  static constexpr Label kWall = kFree - 1;  ///< beyond a mesh border
+
+  const FloodGraph& graph_;
+  std::vector<Word> dry_, words_;
+  CornerState corners_;
+};
+
+}  // namespace chartflood

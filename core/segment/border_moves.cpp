@@ -1,0 +1,257 @@
+#include "core/segment/border_moves.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "core/flood/build_flood_graph.h"
+#include "core/segment/chart_areas.h"
+
+namespace chartflood {
+
+/// What a move adds up, per side, vertex and face.
+struct BorderMoves::Tables {
+  std::vector<float> sideLength;    ///< crease-weighted, in mean edge lengths
+  std::vector<double> sideGauss;    ///< empty when no edge has Gauss area
+  std::vector<double> vertexGauss;  ///< empty when no vertex has Gauss area
+  std::vector<double> faceValue;    ///< Gauss area plus eta times area
+};
+
+/// A face's change of chart and what it does.
+struct BorderMoves::Move {
+  Index to = kNone;
+  double length = 0;  ///< change of the seam length term
+  double loss = 0;    ///< what the old chart loses
+  double gain = 0;    ///< what the new chart gains
+};
+
+namespace {
+
+std::vector<float> weightedLengths(const Mesh& mesh, const GaussArea& gauss, double creaseFactor) {
+  const auto positions = mesh.positions();
+  const std::size_t sides = 3 * mesh.triangleCount();
+  std::vector<float> length(sides);
+  double sum = 0;
+  for (Index s = 0; s < sides; ++s) {
+    const double l = glm::length(positions[mesh.sideStart(s)] - positions[mesh.sideEnd(s)]);
+    length[s] = static_cast<float>(l);
+    if (mesh.edgeOfSide(s) == s) sum += l;
+  }
+  const double mean = sum / static_cast<double>(mesh.edgeCount());
+  if (!(mean > 0)) return length;
+  for (float& l : length) l = static_cast<float>(static_cast<double>(l) / mean);
+  for (const Index s : gauss.sharpEdges) {
+    for (const Index side : {s, mesh.opposite()[s]}) {
+      length[side] = static_cast<float>(static_cast<double>(length[side]) * creaseFactor);
+    }
+  }
+  return length;
+}
+
+/// Sides of a face against other faces or the mesh border, in a cycle; false when they are not one
+/// cycle.
+bool boundarySides(const Mesh& mesh, Index face, std::vector<Index>& sides) {
+  sides.clear();
+  const Index begin = 3 * mesh.triangleBegin(face), end = 3 * mesh.triangleBegin(face + 1);
+  if (end - begin == 3) {
+    sides.assign({begin, begin + 1, begin + 2});
+    return true;
+  }
+  const auto opposite = mesh.opposite();
+  const auto outer = [&](Index s) {
+    return opposite[s] == kNone || mesh.faceOf(opposite[s] / 3) != face;
+  };
+  std::size_t count = 0;
+  Index first = kNone;
+  for (Index s = begin; s < end; ++s) {
+    if (!outer(s)) continue;
+    ++count;
+    if (first == kNone) first = s;
+  }
+  if (first == kNone) return false;
+  Index side = first;
+  do {
+    sides.push_back(side);
+    side = Mesh::nextSide(side);
+    while (!outer(side)) side = Mesh::nextSide(opposite[side]);
+  } while (side != first && sides.size() <= count);
+  return sides.size() == count;
+}
+
+/// True when the vertex is interior and every face around it but `except` has the label.
+bool surroundedBy(const Mesh& mesh, std::span<const Index> label, Index vertex, Index except,
+                  Index chart) {
+  const Index first = mesh.vertexSide()[vertex];
+  Index side = first;
+  do {
+    const Index face = mesh.faceOf(side / 3);
+    if (face != except && label[face] != chart) return false;
+    side = mesh.turn(side);
+  } while (side != kNone && side != first);
+  return side == first;
+}
+
+}  // namespace
+
+BorderMoves::BorderMoves(const Mesh& mesh, const GaussArea& gauss,
+                         std::span<const double> faceGauss, std::vector<Index> label,
+                         std::span<const Index> seeds, const Options& options)
+    : mesh_(mesh), label_(std::move(label)), fixed_(mesh.faceCount(), false),
+      sweepsLeft_(options.maxSweeps), active_((mesh.faceCount() + 63) / 64, ~std::uint64_t{0}) {
+  auto tables = std::make_unique<Tables>();
+  tables->sideLength = weightedLengths(mesh, gauss, options.creaseFactor);
+  const std::vector<double> area = faceAreas(mesh);
+  tables->faceValue.resize(mesh.faceCount());
+  for (std::size_t f = 0; f < area.size(); ++f) {
+    tables->faceValue[f] = faceGauss[f] + options.eta * area[f];
+  }
+  if (!gauss.sharpEdges.empty()) {
+    tables->sideGauss.assign(3 * mesh.triangleCount(), 0);
+    for (std::size_t i = 0; i < gauss.sharpEdges.size(); ++i) {
+      const Index side = gauss.sharpEdges[i];
+      tables->sideGauss[side] = tables->sideGauss[mesh.opposite()[side]] = gauss.edge[i];
+    }
+  }
+  if (!gauss.corners.empty()) {
+    tables->vertexGauss.assign(mesh.vertexCount(), 0);
+    for (std::size_t i = 0; i < gauss.corners.size(); ++i) {
+      tables->vertexGauss[gauss.corners[i]] = gauss.corner[i];
+    }
+  }
+  tables_ = std::move(tables);
+  for (const Index seed : seeds) fixed_[seed] = true;
+  value_ = chartAreas(mesh, gauss, faceGauss, label_, seeds.size()).gaussArea;
+  for (Index f = 0; f < label_.size(); ++f) value_[label_[f]] += options.eta * area[f];
+  for (const double v : value_) {
+    sum_ += v;
+    squares_ += v * v;
+  }
+  const double faces = static_cast<double>(mesh.faceCount());
+  weight_ = options.weight * std::sqrt(faces / 70000) * static_cast<double>(value_.size());
+}
+
+BorderMoves::~BorderMoves() = default;
+
+bool BorderMoves::run(Progress& progress) {
+  const std::size_t faces = mesh_.faceCount();
+  std::size_t untilLook = 4096;
+  while (sweepsLeft_ > 0) {
+    while (position_ < faces) {
+      const std::uint64_t word = active_[position_ / 64] >> (position_ % 64);
+      if (word == 0) {
+        position_ = (position_ / 64 + 1) * 64;
+        continue;
+      }
+      position_ += static_cast<std::size_t>(std::countr_zero(word));
+      if (position_ >= faces) break;
+      const Index face = static_cast<Index>(position_++);
+      Move move;
+      if (findMove(face, move)) {
+        apply(face, move);
+        ++movedInSweep_;
+      }
+      if (--untilLook == 0) {
+        untilLook = 4096;
+        if (progress.cancelled()) return false;
+      }
+    }
+    --sweepsLeft_;
+    position_ = 0;
+    if (std::exchange(movedInSweep_, 0) == 0) sweepsLeft_ = 0;
+  }
+  return true;
+}
+
+/// The face's only possible move, if it lowers the energy. Takes faces inside charts out of the
+/// active set.
+bool BorderMoves::findMove(Index face, Move& move) {
+  const Index from = label_[face];
+  const auto opposite = mesh_.opposite();
+  const auto across = [&](Index side) { return label_[mesh_.faceOf(opposite[side] / 3)]; };
+  const bool cycle = boundarySides(mesh_, face, sides_);
+  bool border = false, meshBorder = false;
+  for (const Index side : sides_) {
+    meshBorder = meshBorder || opposite[side] == kNone;
+    border = border || opposite[side] == kNone || across(side) != from;
+  }
+  if (!border) {
+    active_[face / 64] &= ~(std::uint64_t{1} << (face % 64));
+    return false;
+  }
+  if (!cycle || meshBorder || fixed_[face]) return false;
+
+  std::size_t inside = 0, changes = 0;
+  Index to = kNone;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const Index chart = across(sides_[i]);
+    if (chart == from) {
+      ++inside;
+    } else if (to == kNone) {
+      to = chart;
+    } else if (to != chart) {
+      return false;
+    }
+    const Index before = across(sides_[i == 0 ? sides_.size() - 1 : i - 1]);
+    changes += (before == from) != (chart == from) ? 1 : 0;
+  }
+  if (inside == 0 || to == kNone || changes != 2) return false;
+
+  move.to = to;
+  move.loss = move.gain = tables_->faceValue[face];
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const Index side = sides_[i], next = sides_[i + 1 == sides_.size() ? 0 : i + 1];
+    const bool stays = across(side) == from;
+    move.length += stays ? static_cast<double>(tables_->sideLength[side])
+                         : -static_cast<double>(tables_->sideLength[side]);
+    const double edge = tables_->sideGauss.empty() ? 0.0 : tables_->sideGauss[side];
+    (stays ? move.loss : move.gain) += edge;
+    if ((across(next) == from) != stays) continue;
+    const Index vertex = mesh_.sideStart(next);
+    if (!surroundedBy(mesh_, label_, vertex, face, stays ? from : to)) return false;
+    const double corner = tables_->vertexGauss.empty() ? 0.0 : tables_->vertexGauss[vertex];
+    (stays ? move.loss : move.gain) += corner;
+  }
+  const double a = value_[from], b = value_[to];
+  const double sum = sum_ - move.loss + move.gain;
+  const double squares = squares_ - a * a - b * b + (a - move.loss) * (a - move.loss) +
+                         (b + move.gain) * (b + move.gain);
+  const double change = move.length + balanceEnergy(sum, squares) - balanceEnergy(sum_, squares_);
+  return change < -1e-9;
+}
+
+/// The balance term from the sum and the sum of squares of the charts' values.
+double BorderMoves::balanceEnergy(double sum, double squares) const {
+  const double count = static_cast<double>(value_.size());
+  const double mean = sum / count;
+  return mean > 1e-12 ? weight_ * (squares / (mean * mean) - count) : 0;
+}
+
+void BorderMoves::apply(Index face, const Move& move) {
+  double& a = value_[label_[face]];
+  double& b = value_[move.to];
+  squares_ -= a * a + b * b;
+  a -= move.loss;
+  b += move.gain;
+  squares_ += a * a + b * b;
+  sum_ += move.gain - move.loss;
+  label_[face] = move.to;
+  ++moves_;
+  activate(face);
+  for (const Index side : sides_) activate(mesh_.faceOf(mesh_.opposite()[side] / 3));
+}
+
+double BorderMoves::energy() const {
+  double length = 0;
+  for (Index s = 0; s < mesh_.opposite().size(); ++s) {
+    const Index other = mesh_.opposite()[s];
+    if (other == kNone || other < s) continue;
+    if (label_[mesh_.faceOf(s / 3)] == label_[mesh_.faceOf(other / 3)]) continue;
+    length += static_cast<double>(tables_->sideLength[s]);
+  }
+  return length + balanceEnergy(sum_, squares_);
+}
+
+}  // namespace chartflood

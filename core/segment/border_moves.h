@@ -1,0 +1,71 @@
+#pragma once
+/// Border clean-up: single faces change sides while that shortens seams or evens out Gauss area.
+/// Beyond the paper, whose floods leave borders in stairs.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/model/gauss_area.h"
+#include "core/model/mesh.h"
+
+namespace chartflood {
+
+/// Lowers the energy
+///
+///   sum over seam edges of length * (crease ? 0.3 : 1) / mean edge length
+///     + mu sqrt(F / 70000) K sum_i ((B_i - mean) / mean)^2,   B_i = A(i) + eta * area(i).
+///
+/// A face moves from chart a to chart b when its sides form one run against a and one against b,
+/// all other faces around every vertex inside a run belong to that run's chart, and these vertices
+/// are interior: such moves keep the Euler number and the number of loops of both charts, and never
+/// empty one. Seed faces stay. Faces are tried in ascending order until a sweep moves none.
+class BorderMoves {
+ public:
+  struct Options {
+    double weight = 1000;       ///< mu: how much balance counts against short seams
+    double creaseFactor = 0.3;  ///< length of a crease against a smooth edge's
+    double eta = 0;             ///< steradians a squared normalised unit of surface counts as
+    std::size_t maxSweeps = 50;
+  };
+
+  BorderMoves(const Mesh& mesh, const GaussArea& gauss, std::span<const double> faceGauss,
+              std::vector<Index> label, std::span<const Index> seeds, const Options& options);
+  ~BorderMoves();
+
+  /// Sweeps until nothing moves or `progress` is cancelled; true when nothing is left to move.
+  /// A cancelled run goes on where it stopped.
+  bool run(Progress& progress);
+
+  std::span<const Index> labels() const { return label_; }
+  std::size_t moves() const { return moves_; }
+  /// The energy above, for tests.
+  double energy() const;
+
+ private:
+  struct Tables;
+  struct Move;
+
+  bool findMove(Index face, Move& move);
+  double balanceEnergy(double sum, double squares) const;
+  void apply(Index face, const Move& move);
+  void activate(Index face) { active_[face / 64] |= std::uint64_t{1} << (face % 64); }
+
+  const Mesh& mesh_;
+  std::unique_ptr<const Tables> tables_;
+  std::vector<Index> label_;
+  std::vector<bool> fixed_;
+  std::vector<double> value_;     ///< B of each chart
+  double sum_ = 0, squares_ = 0;  ///< of value_
+  double weight_ = 0;
+  std::size_t sweepsLeft_ = 0;
+  std::size_t moves_ = 0;
+  std::size_t position_ = 0;  ///< next face of the sweep under way
+  std::size_t movedInSweep_ = 0;
+  std::vector<std::uint64_t> active_;  ///< faces at chart borders, one bit each
+  std::vector<Index> sides_;           ///< of the face under test
+};
+
+}  // namespace chartflood

@@ -1,0 +1,26 @@
+#pragma once
+/// First seeds: far apart from each other (paper section 3.4).
+
+#include <span>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "core/model/mesh.h"
+
+namespace chartflood {
+
+/// Number of charts in force: every component needs one, no more than there are faces.
+std::size_t effectiveChartCount(const Mesh& mesh, std::size_t requested);
+
+/// Chooses `count` distinct faces (effectiveChartCount says how many are possible).
+///
+/// `given` seeds come first, in their order. Without any, the first is uniformly random. Then one
+/// random face in each component that has none. Then, until there are enough, the face farthest
+/// from all seeds over the dual graph with distances between centroids, lowest number on ties. The
+/// paper grows a chart before each placement; one search from all seeds, updated where a new seed
+/// is nearer, finds the same faces for the price of one or two floods. \throws UsageError when a
+/// given seed is no face of the mesh or is given twice.
+std::vector<Index> placeSeeds(const Mesh& mesh, std::size_t count, std::span<const Index> given,
+                              Rng& rng);
+
+}  // namespace chartflood
