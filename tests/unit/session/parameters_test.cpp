@@ -49,7 +49,7 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
         info.member);
   }
   const Parameters defaults;
-  EXPECT_EQ(parameterTable().size(), 17u);
+  EXPECT_EQ(parameterTable().size(), 18u);
   EXPECT_NE(changed.method, defaults.method);
   EXPECT_NE(changed.charts, defaults.charts);
   EXPECT_NE(changed.sharpAngle, defaults.sharpAngle);
@@ -63,6 +63,7 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
   EXPECT_NE(changed.maxIterations, defaults.maxIterations);
   EXPECT_NE(changed.patience, defaults.patience);
   EXPECT_NE(changed.detectCycles, defaults.detectCycles);
+  EXPECT_NE(changed.settle, defaults.settle);
   EXPECT_NE(changed.search, defaults.search);
   EXPECT_NE(changed.start, defaults.start);
   EXPECT_NE(changed.refine, defaults.refine);
@@ -215,6 +216,7 @@ TEST(Presets, PaperIsThePrintedMethod) {
   expected.speedEpsilon = 1e-4;
   expected.offsetDamping = 0.9;
   expected.areaShare = 0;
+  expected.settle = 0;
   expected.search = "literal";
   expected.start = "flood";
   expected.refine = "none";
@@ -241,6 +243,7 @@ TEST(NearestSpelling, FindsTypingMistakes) {
   EXPECT_EQ(nearestSpelling("sharp", words), "sharp-angle");
   EXPECT_EQ(nearestSpelling("sped-powr", words), "speed-power");
   EXPECT_EQ(nearestSpelling("seam", words), "seams");
+  EXPECT_EQ(nearestSpelling("gaus", std::vector<std::string>{"gauss-vertex", "gauss"}), "gauss");
   EXPECT_EQ(nearestSpelling("xyzzy", words), "");
   EXPECT_EQ(nearestSpelling("", words), "");
   EXPECT_EQ(nearestSpelling("a", {}), "");
