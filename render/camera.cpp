@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -138,29 +139,34 @@ void Camera::zoom(double factor, const glm::dvec2& ndc, double aspect) {
   target += right() * (ndc.x * change * aspect) + upward() * (ndc.y * change);
 }
 
-void Camera::frame(std::span<const glm::dvec3> points, double aspect, double margin) {
+void Camera::frame(std::span<const glm::dvec3> points, double aspect, double margin,
+                   double rightInset) {
   if (points.empty()) return;
-  const double ty = std::tan(0.5 * fieldOfView) * (1 - 2 * margin), tx = ty * aspect;
+  // Slopes of the four sides that the points shall touch.
+  const double slope = std::tan(0.5 * fieldOfView);
+  const double ty = slope * (1 - 2 * margin), tl = ty * aspect;
+  const double tr = tl - 2 * rightInset * slope * aspect;
+  const double lean = orthographic ? 0 : 1;
   const glm::dquat toCamera = glm::conjugate(orientation);
   constexpr double kLowest = std::numeric_limits<double>::lowest();
-  const double slopeX = orthographic ? 0 : tx, slopeY = orthographic ? 0 : ty;
   double east = kLowest, west = kLowest, north = kLowest, south = kLowest;
   double nearest = kLowest, farthest = -kLowest;
   for (const glm::dvec3& point : points) {
     const glm::dvec3 p = toCamera * point;
-    east = std::max(east, p.x + p.z * slopeX);
-    west = std::max(west, -p.x + p.z * slopeX);
-    north = std::max(north, p.y + p.z * slopeY);
-    south = std::max(south, -p.y + p.z * slopeY);
+    east = std::max(east, p.x + p.z * tr * lean);
+    west = std::max(west, -p.x + p.z * tl * lean);
+    north = std::max(north, p.y + p.z * ty * lean);
+    south = std::max(south, -p.y + p.z * ty * lean);
     nearest = std::max(nearest, p.z);
     farthest = std::min(farthest, p.z);
   }
-  // The four sides of the view touch the points: for the right one x + z tx <= ex + ez tx at the
-  // eye (ex, ey, ez), and so on; the tighter pair of sides says how far away the eye must be.
+  // On the right x + z tr <= ex + ez tr must hold for the eye (ex, ey, ez), and so on; the tighter
+  // pair of sides says how far away it must be.
   const double middle = 0.5 * (nearest + farthest);
-  const double away = std::max((east + west) / (2 * tx), (north + south) / (2 * ty));
+  const double away = std::max((east + west) / (tl + tr), (north + south) / (2 * ty));
   distance = std::clamp(orthographic ? away : away - middle, kClosest, kFarthest);
-  target = orientation * glm::dvec3(0.5 * (east - west), 0.5 * (north - south), middle);
+  const double sideways = 0.5 * (east - west + away * (tl - tr));
+  target = orientation * glm::dvec3(sideways, 0.5 * (north - south), middle);
 }
 
 void Camera::look(StandardView view) {

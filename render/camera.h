@@ -69,8 +69,10 @@ struct Camera {
   /// Comes closer by `factor` > 1, keeping what is at `ndc` (in the target's plane) in its place.
   void zoom(double factor, const glm::dvec2& ndc, double aspect);
   /// Moves back or forth and sideways, without turning, until the points fill the picture up to
-  /// `margin` (a share of the picture on each side, in [0, 0.4]). Does nothing without points.
-  void frame(std::span<const glm::dvec3> points, double aspect, double margin = 0.06);
+  /// `margin` (a share of the picture on each side, in [0, 0.3]); `rightInset` (a share of the
+  /// width, in [0, 0.3]) stays free on the right. Does nothing without points.
+  void frame(std::span<const glm::dvec3> points, double aspect, double margin = 0.06,
+             double rightInset = 0);
   /// Turns to a standard view; the target and the distance stay.
   void look(StandardView view);
   /// Looks along `direction` (not zero) with `up` (or the upright axis when parallel) upwards.

@@ -19,6 +19,8 @@ constexpr std::uint32_t kMagma[] = {0x000004, 0x0B0924, 0x20114B, 0x3B0F70, 0x57
                                     0x8C2981, 0xA8327D, 0xC43C75, 0xDE4968, 0xF1605D, 0xFA7F5E,
                                     0xFE9F6D, 0xFEBF84, 0xFDDE9F, 0xFCFDBF};
 constexpr std::uint32_t kGrey[] = {0x1E1E1E, 0xF5F5F5};
+constexpr std::uint32_t kEmber[] = {0xF2EFE6, 0xFBE6A2, 0xFED976, 0xFEB24C, 0xFD8D3C,
+                                    0xFC4E2A, 0xE31A1C, 0xBD0026, 0x800026};
 constexpr std::uint32_t kBlueOrange[] = {0x053061, 0x2166AC, 0x4393C3, 0x92C5DE, 0xD1E5F0, 0xF7F7F7,
                                          0xFEE0B6, 0xFDB863, 0xE08214, 0xB35806, 0x7F3B08};
 constexpr std::uint32_t kPurpleGreen[] = {0x40004B, 0x762A83, 0x9970AB, 0xC2A5CF,
@@ -31,6 +33,8 @@ constexpr ColorMap kMaps[] = {
     {"cividis", "Cividis", false, true, "J. Nunez, C. Anderton, R. Renslow, PLOS ONE 13(7), 2018",
      kCividis},
     {"magma", "Magma", false, true, kMatplotlib, kMagma},
+    {"ember", "Ember", false, true, "C. Brewer, ColorBrewer 2.0 (YlOrRd), from a paler end",
+     kEmber},
     {"grey", "Grey", false, true, "two greys", kGrey},
     {"blue-orange", "Blue - white - orange", true, true, kBrewer, kBlueOrange},
     {"purple-green", "Purple - white - green", true, true, kBrewer, kPurpleGreen},

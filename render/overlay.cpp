@@ -91,6 +91,8 @@ void Overlay::draw(const glm::vec2& viewport, const glm::vec4& tile, GLuint mapU
   program_.set("uDistanceUnit", GlyphAtlas::distanceUnit());
   program_.set("uSteps", colorSteps);
   glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices_.size()));
   glBindVertexArray(0);
 }

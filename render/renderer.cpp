@@ -323,7 +323,7 @@ void Renderer::setFill(const Frame& frame) {
   std::optional<ScalarRange> range = scalarRange(settings);
   if (range && settings.colorMode == ColorMode::Gauss) {
     range = gauss_->faceRange();
-    range->scale = settings.scale.value_or(ScalarScale::Root);
+    range->scale = settings.scale.value_or(ScalarScale::Linear);
   }
   setScale(surfaceProgram_, range.value_or(ScalarRange{}), settings);
 }
@@ -367,25 +367,21 @@ void Renderer::drawSurface(const Frame& frame) {
 }
 
 void Renderer::drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths,
-                            float casing, const glm::vec4& color, const glm::vec4& casingColor) {
+                            const glm::vec4& color) {
   if (count == 0) return;
-  const float scale = frame.settings.pixelScale;
   gl::Program& program = lineProgram_;
   program.set("uSegments", static_cast<int>(units::kValues));
   program.set("uFirst", 0);
-  program.set("uWidths", widths * scale);
-  program.set("uCasing", casing * scale);
+  program.set("uWidths", widths * frame.settings.pixelScale);
   program.set("uColor", color);
-  program.set("uCasingColor", casingColor);
-  program.set("uOpacity", 1.0f);
-  program.set("uLift", 1.2f);
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * count));
 }
 
 void Renderer::drawLines(const Frame& frame) {
   const RenderSettings& settings = frame.settings;
   const ColorMode mode = canShow(settings.colorMode) ? settings.colorMode : ColorMode::Shaded;
-  constexpr glm::vec4 kInk(0.055f, 0.055f, 0.063f, 1), kPaper(1, 1, 1, 0.9f);
+  constexpr glm::vec4 kInk(0.055f, 0.055f, 0.063f, 1), kChalk(0.93f, 0.93f, 0.90f, 1);
+  constexpr glm::vec4 kByValue(0);
   glEnable(GL_DEPTH_TEST);
   glBindVertexArray(emptyVertexArray_.id());
   lineProgram_.use();
@@ -393,16 +389,16 @@ void Renderer::drawLines(const Frame& frame) {
   setScale(lineProgram_, ScalarRange{}, settings);
   if (settings.sharpEdges && gauss_ && mode != ColorMode::GaussEdge && mode != ColorMode::Gauss) {
     gauss_->bindEdges(units::kValues);
-    drawSegments(frame, gauss_->edgeCount(), glm::vec2(1.4f), 0, {0.93f, 0.93f, 0.90f, 1}, kInk);
+    drawSegments(frame, gauss_->edgeCount(), glm::vec2(1.4f), kChalk);
   }
   if (settings.seams) {
     const glm::vec2 width(settings.seamWidth);
     if (settings.playhead) {
       flood_->bindSeams(units::kValues);
-      drawSegments(frame, flood_->seamCount(*settings.playhead), width, 0, kInk, kPaper);
+      drawSegments(frame, flood_->seamCount(*settings.playhead), width, kInk);
     } else {
       charts_->bindSeams(units::kValues);
-      drawSegments(frame, charts_->seamCount(), width, 0, kInk, kPaper);
+      drawSegments(frame, charts_->seamCount(), width, kInk);
     }
   }
   if (mode == ColorMode::GaussEdge || mode == ColorMode::Gauss) {
@@ -410,7 +406,9 @@ void Renderer::drawLines(const Frame& frame) {
     range.scale = ScalarScale::Root;
     setScale(lineProgram_, mode == ColorMode::Gauss ? range : *scalarRange(settings), settings);
     gauss_->bindEdges(units::kValues);
-    drawSegments(frame, gauss_->edgeCount(), {1.6f, 4.2f}, 0.9f, glm::vec4(0), kInk);
+    // All dark outlines lie under all colours, or they would cut the chain into pieces.
+    drawSegments(frame, gauss_->edgeCount(), {3.2f, 6.2f}, kInk);
+    drawSegments(frame, gauss_->edgeCount(), {1.6f, 4.4f}, kByValue);
   }
 }
 
@@ -456,7 +454,7 @@ void Renderer::drawMarks(const Frame& frame) {
   // Seeds behind the model shine through faintly; those in front cover it.
   const auto count = static_cast<GLsizei>(6 * seedMarks_.size());
   glDepthFunc(GL_GREATER);
-  program.set("uOpacity", 0.22f);
+  program.set("uOpacity", 0.14f);
   glDrawArrays(GL_TRIANGLES, 0, count);
   glDepthFunc(GL_LEQUAL);
   program.set("uOpacity", 1.0f);

@@ -83,6 +83,9 @@ class Renderer {
   /// The range, scale and words of a picture's scalar bar; nothing for modes without one.
   std::optional<ScalarRange> scalarRange(const RenderSettings& settings) const;
 
+  /// Share of a picture's width that the scalar bar takes on the right; 0 without one.
+  double scalarBarShare(const RenderSettings& settings, int width) const;
+
   /// Draws into the framebuffer; its texture is ready afterwards (colour premultiplied by alpha).
   void draw(const gl::Framebuffer& target, const Camera& camera, const RenderSettings& settings);
   /// Draws one part of a picture into a framebuffer of the part's size.
@@ -117,8 +120,8 @@ class Renderer {
   void drawSurface(const Frame& frame);
   void setFill(const Frame& frame);
   void drawLines(const Frame& frame);
-  void drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths, float casing,
-                    const glm::vec4& color, const glm::vec4& casingColor);
+  void drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths,
+                    const glm::vec4& color);
   void drawMarks(const Frame& frame);
   void uploadSeeds(const RenderSettings& settings);
   void drawOverlay(const Frame& frame, const Camera& camera);

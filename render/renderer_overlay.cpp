@@ -50,6 +50,13 @@ void Renderer::drawOverlay(const Frame& frame, const Camera& camera) {
   overlay_.draw(frame.eye.viewport, frame.eye.tile, units::kColorMap, frame.settings.colorSteps);
 }
 
+double Renderer::scalarBarShare(const RenderSettings& settings, int width) const {
+  if (!settings.scalarBar || !scalarRange(settings)) return 0;
+  // Margin, numbers, bar and the mean's mark.
+  const double pixels = 118.0 * double{settings.pixelScale} * double{settings.textSize} / 13.0;
+  return std::min(pixels / std::max(width, 1), 0.3);
+}
+
 void Renderer::addScalarBar(const Frame& frame, const ScalarRange& range) {
   const RenderSettings& settings = frame.settings;
   const float scale = settings.pixelScale;
@@ -87,7 +94,7 @@ void Renderer::addScalarBar(const Frame& frame, const ScalarRange& range) {
   }
   const std::string title = range.title + (range.unit.empty() ? "" : " [" + range.unit + "]");
   const std::vector<std::string> lines =
-      wrap(overlay_, title, style.size, std::min(0.6f * picture.x, 190 * scale));
+      wrap(overlay_, title, style.size, std::min(0.6f * picture.x, 150 * scale));
   float y = top - 0.9f * line - line * static_cast<float>(lines.size() - 1);
   for (const std::string& part : lines) {
     overlay_.text({picture.x - margin, y}, part, style, TextAlign::Right);

@@ -108,7 +108,9 @@ ScalarRange rangeFromZero(std::span<const WeightedValue> values) {
   ScalarRange range;
   range.mean = weightedMean(values);
   range.hasMean = range.mean > 0;
-  const double top = std::max(weightedPercentile(values, 0.98), range.mean);
+  double largest = 0;
+  for (const WeightedValue& v : values) largest = std::max(largest, v.weight > 0 ? v.value : 0.0);
+  const double top = std::min(std::max(weightedPercentile(values, 0.98), range.mean), largest);
   range.max = top > 0 ? top : 1;
   return range;
 }

@@ -6,13 +6,11 @@
 uniform samplerBuffer uSegments;  // two texels each: (start, value), (end, unused)
 uniform int uFirst;
 uniform vec2 uWidths;    // pixels, at the low and the high end of the scale; equal: no scale
-uniform float uCasing;   // width of the edge around the line, pixels
 uniform vec4 uColor;     // sRGB; alpha 0: colour by value
-uniform float uLift;     // how far before the surface, in line widths
 
 noperspective out vec2 vPlace;  // along and across the segment, pixels
 flat out float vLength;
-flat out float vRadius;  // of the line without casing
+flat out float vRadius;
 flat out vec3 vColor;
 
 const float kNear = 1e-4;
@@ -35,7 +33,7 @@ void main() {
     if (a.z > -kNear) a = mix(a, b, (a.z + kNear) / (a.z - b.z));
     if (b.z > -kNear) b = mix(b, a, (b.z + kNear) / (b.z - a.z));
   }
-  float lift = (2.0 * vRadius + uCasing) * uLift;
+  float lift = 2.4 * max(vRadius, 0.5);  // before the surface, so that it does not cut the line
   vec4 clipA = uProjection * vec4(raised(a, lift), 1.0);
   vec4 clipB = uProjection * vec4(raised(b, lift), 1.0);
   vec2 screenA = 0.5 * uViewport * clipA.xy / clipA.w;
@@ -48,7 +46,7 @@ void main() {
   // Corners 0 1 2, 2 1 3 of the rectangle around the line; half a pixel more for its smooth edge.
   int place = corner < 3 ? corner : (corner == 3 ? 2 : (corner == 4 ? 1 : 3));
   bool atEnd = place >= 2;
-  float reach = vRadius + uCasing + 1.0;
+  float reach = vRadius + 1.0;
   float sideways = (place & 1) == 0 ? -reach : reach;
   vPlace = vec2(atEnd ? vLength + reach : -reach, sideways);
   vec4 clip = atEnd ? clipB : clipA;

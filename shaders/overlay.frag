@@ -27,8 +27,9 @@ void main() {
   float enlarge = 1.0 / max(length(fwidth(vTexture * texels)) * 0.7071, 1e-4);
   float away = (texture(uGlyphs, vTexture).r - 0.5) * uDistanceUnit * enlarge;
   float letter = clamp(away + 0.5, 0.0, 1.0) * vColor.a;
-  // The halo reaches as far as the distances do.
-  float halo = smoothstep(-2.6, -0.4, away) * vHalo.a;
+  // Small letters have small distances: the halo must end before they do.
+  float reach = min(2.6, 0.46 * uDistanceUnit * enlarge);
+  float halo = smoothstep(-reach, -0.15 * reach, away) * vHalo.a;
   vec4 under = vec4(vHalo.rgb, 1.0) * halo;
   oColor = vec4(vColor.rgb, 1.0) * letter + under * (1.0 - letter);
   if (oColor.a <= 0.0) discard;

@@ -1,22 +1,31 @@
 #include "render/text/glyph_atlas.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include <stb/stb_truetype.h>
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "render/text/distance_field.h"
 #include "render/text/font_data.h"
 
 namespace chartflood {
 
 namespace {
+
 constexpr int kTextureSize = 512;
-constexpr float kEm = 40;    // pixels of the texture
-constexpr int kPadding = 6;  // how far distances reach, pixels of the texture
-constexpr unsigned char kOnEdge = 128;
-constexpr float kDistanceScale = 120.0f / kPadding;  // levels a pixel
+constexpr int kEm = 40;      // pixels of the texture
+constexpr int kPadding = 8;  // how far distances reach, pixels of the texture
+constexpr int kFiner = 4;    // outlines are sampled so many times finer than the texture
+
+/// Level of a distance in pixels of the texture: 0.5 on the outline, 0 and 1 kPadding away.
+unsigned char level(float distance) {
+  const float t = 0.5f + 0.5f * distance / static_cast<float>(kPadding);
+  return static_cast<unsigned char>(std::lround(255 * std::clamp(t, 0.0f, 1.0f)));
+}
+
 }  // namespace
 
 struct GlyphAtlas::Font {
@@ -30,7 +39,7 @@ GlyphAtlas::GlyphAtlas()
   if (!stbtt_InitFont(&font_->info, interSemiBold().data(), 0)) {
     throw Error("The built-in font cannot be read; the program was built with a broken font file.");
   }
-  font_->scale = stbtt_ScaleForMappingEmToPixels(&font_->info, kEm);
+  font_->scale = stbtt_ScaleForMappingEmToPixels(&font_->info, static_cast<float>(kEm));
   int left = 0, bottom = 0, right = 0, top = 0;
   stbtt_GetCodepointBox(&font_->info, 'H', &left, &bottom, &right, &top);
   capHeight_ = static_cast<float>(top) * font_->scale / kEm;
@@ -38,7 +47,7 @@ GlyphAtlas::GlyphAtlas()
 
 GlyphAtlas::~GlyphAtlas() = default;
 
-float GlyphAtlas::distanceUnit() { return 255.0f / kDistanceScale; }
+float GlyphAtlas::distanceUnit() { return 2.0f * kPadding; }
 
 const Glyph& GlyphAtlas::glyph(char32_t letter) {
   const auto [place, isNew] = glyphs_.try_emplace(letter);
@@ -47,14 +56,34 @@ const Glyph& GlyphAtlas::glyph(char32_t letter) {
 }
 
 void GlyphAtlas::rasterize(char32_t letter, Glyph& glyph) {
+  const int code = static_cast<int>(letter);
   int advance = 0, bearing = 0;
-  stbtt_GetCodepointHMetrics(&font_->info, static_cast<int>(letter), &advance, &bearing);
+  stbtt_GetCodepointHMetrics(&font_->info, code, &advance, &bearing);
   glyph.advance = static_cast<float>(advance) * font_->scale / kEm;
-  int width = 0, height = 0, left = 0, top = 0;
-  unsigned char* distances =
-      stbtt_GetCodepointSDF(&font_->info, font_->scale, static_cast<int>(letter), kPadding, kOnEdge,
-                            kDistanceScale, &width, &height, &left, &top);
-  if (!distances) return;  // a space
+  // Not stb's own distances: they ignore the cubic curves of this font.
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  const float finer = font_->scale * kFiner;
+  stbtt_GetCodepointBitmapBox(&font_->info, code, finer, finer, &x0, &y0, &x1, &y1);
+  if (x0 == x1 || y0 == y1) return;  // a space
+  const auto toTexture = [](int fine) {
+    return static_cast<int>(std::floor(static_cast<double>(fine) / kFiner));
+  };
+  const int left = toTexture(x0) - kPadding, top = toTexture(y0) - kPadding;
+  const int width = toTexture(x1) + 1 + kPadding - left,
+            height = toTexture(y1) + 1 + kPadding - top;
+  const int fineWidth = width * kFiner, fineHeight = height * kFiner;
+  std::vector<unsigned char> cover(static_cast<std::size_t>(fineWidth * fineHeight), 0);
+  unsigned char* const corner =
+      cover.data() + (y0 - top * kFiner) * fineWidth + (x0 - left * kFiner);
+  stbtt_MakeCodepointBitmap(&font_->info, corner, x1 - x0, y1 - y0, fineWidth, finer, finer, code);
+  std::vector<bool> inside(cover.size());
+  std::transform(cover.begin(), cover.end(), inside.begin(), [](int c) { return c >= 128; });
+  place(signedDistances(inside, fineWidth, fineHeight), width, height, glyph);
+  glyph.left = static_cast<float>(left) / kEm;
+  glyph.top = static_cast<float>(top) / kEm;
+}
+
+void GlyphAtlas::place(const std::vector<float>& fine, int width, int height, Glyph& glyph) {
   if (penX_ + width > kTextureSize) {
     penX_ = 0;
     penY_ += rowHeight_ + 1;
@@ -62,11 +91,16 @@ void GlyphAtlas::rasterize(char32_t letter, Glyph& glyph) {
   }
   CF_CHECK(penY_ + height <= kTextureSize);  // the program's own texts fit many times over
   for (int y = 0; y < height; ++y) {
-    std::copy_n(distances + y * width, width, pixels_.begin() + (penY_ + y) * kTextureSize + penX_);
+    for (int x = 0; x < width; ++x) {
+      // Mean of the four fine pixels around the middle of the coarse one.
+      const std::size_t row = static_cast<std::size_t>(width) * kFiner;
+      const std::size_t i = (static_cast<std::size_t>(y) * kFiner + kFiner / 2 - 1) * row +
+                            static_cast<std::size_t>(x) * kFiner + kFiner / 2 - 1;
+      const float mean = 0.25f * (fine[i] + fine[i + 1] + fine[i + row] + fine[i + row + 1]);
+      pixels_[static_cast<std::size_t>((penY_ + y) * kTextureSize + penX_ + x)] =
+          level(mean / kFiner);
+    }
   }
-  stbtt_FreeSDF(distances, nullptr);
-  glyph.left = static_cast<float>(left) / kEm;
-  glyph.top = static_cast<float>(top) / kEm;
   glyph.width = static_cast<float>(width) / kEm;
   glyph.height = static_cast<float>(height) / kEm;
   glyph.u0 = static_cast<float>(penX_) / kTextureSize;

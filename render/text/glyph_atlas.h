@@ -40,6 +40,7 @@ class GlyphAtlas {
  private:
   struct Font;
   void rasterize(char32_t letter, Glyph& glyph);
+  void place(const std::vector<float>& fine, int width, int height, Glyph& glyph);
 
   std::unique_ptr<Font> font_;
   std::map<char32_t, Glyph> glyphs_;
