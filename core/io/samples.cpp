@@ -1,0 +1,76 @@
+#include "core/io/samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/io/sample_shapes.h"
+
+namespace chartflood {
+
+namespace {
+
+using Maker = InputMesh (*)(double edge);
+
+constexpr std::array<SampleInfo, 13> kSamples = {{
+    {"rocket", "Rocket", "Toy rocket with soft body, sharp fins, nozzle and portholes.", 40000},
+    {"gear", "Gear wheel", "Machined part with a bore, fillets and sharp teeth.", 30000},
+    {"knot", "Twisted knot", "Hollowed square band along a trefoil knot, four sharp edges.", 36000},
+    {"double-torus", "Double torus", "Smooth surface with two holes.", 20000},
+    {"torus", "Torus", "Ring, bent both ways; genus 1.", 16000},
+    {"sphere", "Sphere", "The same bend everywhere; Gauss area 4 pi.", 20480},
+    {"cube", "Cube", "Six flat sides; all Gauss area lies in the corners and edges.", 10800},
+    {"l-block", "L block", "Three cubes with an inward edge.", 15000},
+    {"cylinder", "Cylinder", "Closed; all Gauss area lies on its two rims.", 12000},
+    {"tube", "Tube", "Cylinder without ends; unrolls without stretch.", 8000},
+    {"cone", "Cone", "Without base; all Gauss area lies at its tip.", 8000},
+    {"bumps", "Bumps", "Square with hills and hollows.", 16000},
+    {"plane", "Plane", "Flat square; no Gauss area at all.", 4000},
+}};
+
+constexpr std::array<Maker, kSamples.size()> kMakers = {
+    makeRocket, makeGear,     makeKnot, makeDoubleTorus, makeTorus, makeSphere, makeCube,
+    makeLBlock, makeCylinder, makeTube, makeCone,        makeBumps, makePlane};
+
+double missOf(const InputMesh& mesh, double wanted) {
+  return std::abs(std::log(static_cast<double>(mesh.faceCount()) / wanted));
+}
+
+/// Finds the edge length that gives the wanted number: it falls with the square of the length,
+/// apart from rounding.
+InputMesh makeWithCount(Maker maker, double wanted) {
+  double edge = 0.2;
+  InputMesh best = maker(edge);
+  double count = static_cast<double>(best.faceCount());
+  for (int i = 0; i < 5 && missOf(best, wanted) > 0.03; ++i) {
+    edge *= std::sqrt(count / wanted);
+    InputMesh next = maker(edge);
+    count = static_cast<double>(next.faceCount());
+    if (missOf(next, wanted) < missOf(best, wanted)) best = std::move(next);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::span<const SampleInfo> sampleTable() { return kSamples; }
+
+std::shared_ptr<const InputMesh> makeSample(std::string_view id, std::size_t triangles) {
+  for (std::size_t i = 0; i < kSamples.size(); ++i) {
+    if (id != kSamples[i].id) continue;
+    const std::size_t wanted = triangles == 0 ? kSamples[i].defaultTriangles : triangles;
+    InputMesh mesh = makeWithCount(kMakers[i], static_cast<double>(wanted));
+    mesh.file = std::string(id);
+    return std::make_shared<const InputMesh>(std::move(mesh));
+  }
+  std::string known;
+  for (const SampleInfo& sample : kSamples)
+    known.append(known.empty() ? "" : ", ").append(sample.id);
+  throw UsageError("There is no sample named \"" + std::string(id) + "\"; there are " + known +
+                   ".");
+}
+
+}  // namespace chartflood
