@@ -1,0 +1,207 @@
+#include "app/gui/frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui_internal.h>
+
+#include "app/gui/panels/panels.h"
+#include "app/gui/widgets.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr double kNever = 1e9;
+constexpr float kLeftWidth = 330, kRightWidth = 316;
+constexpr float kLeastPane = 250, kLeastView = 240;
+constexpr float kToolHeight = 46, kTimelineHeight = 70, kStatusHeight = 30;
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+/// A window at a fixed place; returns with it begun.
+void beginFixed(const char* name, ImVec2 position, ImVec2 size, ImU32 ground, ImVec2 padding,
+                ImGuiWindowFlags more = 0) {
+  ImGui::SetNextWindowPos(position);
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  ImGui::Begin(name, nullptr, kFixed | more);
+}
+
+void endFixed() {
+  ImGui::End();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+}
+
+/// Keys that step: holding them down repeats.
+bool repeats(const Chord& chord) {
+  return chord.key == "Left" || chord.key == "Right" || chord.key == "+" || chord.key == "-" ||
+         chord.key == "[" || chord.key == "]";
+}
+
+}  // namespace
+
+Frame::Frame(AppState& state, const ActionRegistry& actions, float scale)
+    : state_(state), actions_(actions), theme_(applyTheme(scale)) {}
+
+void Frame::setScale(float scale) {
+  const float ratio = scale / theme_.scale;
+  theme_ = applyTheme(scale);
+  memory_.leftWidth = std::round(memory_.leftWidth * ratio);
+  memory_.rightWidth = std::round(memory_.rightWidth * ratio);
+}
+
+Frame::Layout Frame::layOut() {
+  Layout layout;
+  layout.screen = ImGui::GetIO().DisplaySize;
+  if (!laidOut_) {
+    laidOut_ = true;
+    memory_.leftWidth = theme_.px(kLeftWidth);
+    memory_.rightWidth = theme_.px(kRightWidth);
+    state_.panels.rightWanted = layout.screen.x >= kNarrow * theme_.scale;
+    state_.panels.right = state_.panels.rightWanted;
+  }
+  layout.top = ImGui::GetFrameHeight() + theme_.px(2);
+  layout.tool = layout.top + theme_.px(kToolHeight);
+  layout.status = layout.screen.y - theme_.px(kStatusHeight);
+  layout.bottom = layout.status - (state_.panels.bottom ? theme_.px(kTimelineHeight) : 0);
+  layout.left = state_.panels.left ? memory_.leftWidth : 0;
+  layout.right = layout.screen.x - (state_.panels.right ? memory_.rightWidth : 0);
+  const float least = theme_.px(kLeastView);
+  if (layout.right - layout.left < least)
+    layout.right = std::min(layout.screen.x, layout.left + least);
+  return layout;
+}
+
+void Frame::drawBars(const Ui& ui, const Layout& layout) {
+  const Palette& p = theme_.palette;
+  const ImVec2 pad{theme_.px(10), theme_.px(7)};
+  beginFixed("menu", {0, 0}, {layout.screen.x, layout.top}, p.bar, pad,
+             ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar);
+  menuBar(ui);
+  endFixed();
+  beginFixed("tools", {0, layout.top}, {layout.screen.x, layout.tool - layout.top}, p.panel, pad,
+             ImGuiWindowFlags_NoScrollbar);
+  toolBar(ui);
+  endFixed();
+  if (state_.panels.bottom) {
+    beginFixed("time", {0, layout.bottom}, {layout.screen.x, layout.status - layout.bottom},
+               p.panel, pad, ImGuiWindowFlags_NoScrollbar);
+    timeline(ui);
+    endFixed();
+  }
+  beginFixed("status", {0, layout.status}, {layout.screen.x, layout.screen.y - layout.status},
+             p.bar, {theme_.px(10), theme_.px(2)}, ImGuiWindowFlags_NoScrollbar);
+  statusBar(ui);
+  endFixed();
+}
+
+void Frame::drawLeft(const Ui& ui, const Layout& layout) {
+  if (!state_.panels.left) return;
+  beginFixed("left", {0, layout.tool}, {layout.left, layout.bottom - layout.tool},
+             theme_.palette.panel, {theme_.px(10), theme_.px(8)},
+             ImGuiWindowFlags_AlwaysVerticalScrollbar);
+  parameterPanel(ui);
+  viewPanel(ui);
+  endFixed();
+}
+
+void Frame::drawRight(const Ui& ui, const Layout& layout) {
+  if (!state_.panels.right) return;
+  beginFixed("right", {layout.right, layout.tool},
+             {layout.screen.x - layout.right, layout.bottom - layout.tool}, theme_.palette.panel,
+             {theme_.px(10), theme_.px(8)});
+  PanelState& panels = state_.panels;
+  if (ImGui::BeginTabBar("tabs")) {
+    auto tab = [&](const char* name, PanelState::RightTab which, auto&& content) {
+      const bool bring = panels.selectRightTab && panels.rightTab == which;
+      const bool open =
+          ImGui::BeginTabItem(name, nullptr, bring ? ImGuiTabItemFlags_SetSelected : 0);
+      ui.probe.item(std::string("tab/") + name);
+      if (!open) return;
+      if (!panels.selectRightTab) panels.rightTab = which;
+      content(ui);
+      ImGui::EndTabItem();
+    };
+    tab("Charts", PanelState::RightTab::Charts, chartTable);
+    tab("Balance", PanelState::RightTab::Balance, balancePlot);
+    panels.selectRightTab = false;
+    ImGui::EndTabBar();
+  }
+  endFixed();
+}
+
+void Frame::drawScene(const Ui& ui, const Layout& layout, SceneSource* source) {
+  const ImVec2 low{layout.left, layout.tool}, high{layout.right, layout.bottom};
+  beginFixed("scene", low, {high.x - low.x, high.y - low.y}, theme_.palette.ground, {0, 0},
+             ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
+                 ImGuiWindowFlags_NoNav);
+  scenePanel(ui, source, mouse_);
+  endFixed();
+  toasts(ui, low, high);
+  firstStepsCard(ui, low, high);
+}
+
+void Frame::drawSplitters(const Ui& ui, const Layout& layout) {
+  const float height = layout.bottom - layout.tool;
+  const float least = theme_.px(kLeastPane), view = theme_.px(kLeastView);
+  if (state_.panels.left) {
+    const float most = (state_.panels.right ? layout.right : layout.screen.x) - view;
+    splitter(ui, "splitter/left", {layout.left, layout.tool}, height, memory_.leftWidth, false,
+             least, most);
+  }
+  if (state_.panels.right) {
+    const float most = layout.screen.x - layout.left - view;
+    splitter(ui, "splitter/right", {layout.right, layout.tool}, height, memory_.rightWidth, true,
+             least, most);
+  }
+}
+
+void Frame::draw(SceneSource* source) {
+  probe_.beginFrame();
+  memory_.wakeIn = kNever;
+  memory_.hoveredSeen = false;
+  const Ui ui{state_, actions_, theme_, probe_, memory_};
+  const Layout layout = layOut();
+  drawScene(ui, layout, source);
+  drawBars(ui, layout);
+  drawLeft(ui, layout);
+  drawRight(ui, layout);
+  drawSplitters(ui, layout);
+  keysWindow(ui);
+  logWindow(ui);
+  aboutWindow(ui);
+  browser_.draw(ui);
+  if (!memory_.hoveredSeen) memory_.hovered.clear();
+  if (state_.playback.playing() || state_.status().busy) ui.wakeIn(0);
+}
+
+bool Frame::key(const Chord& chord, bool repeated) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool browsing = state_.panels.browse != PanelState::Browse::Nothing;
+  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+  if (io.WantTextInput || browsing || popup || !memory_.typing.empty()) return false;
+  const bool widgetHasKeys = io.NavVisible && !GImGui->NavDisableHighlight;
+  const bool navigates = chord.key == "Space" || chord.key == "Enter" || chord.key == "Left" ||
+                         chord.key == "Right" || chord.key == "Esc";
+  if (widgetHasKeys && navigates && !chord.ctrl) return false;
+  const bool textWindow = state_.panels.keys || state_.panels.log || state_.panels.about;
+  if (textWindow && chord.key == "Esc") return false;
+  if (repeated && !repeats(chord)) return false;
+  if (state_.panels.firstCard) state_.perform(actions_, "first-steps off");
+  const Binding* binding = actions_.findBinding(chord);
+  if (binding == nullptr) return false;
+  const std::string reason = actions_.refusal(binding->line, state_);
+  if (!reason.empty()) {
+    state_.notices.add(Notice::Kind::Info, reason);
+    return true;
+  }
+  return state_.perform(actions_, binding->line);
+}
+
+}  // namespace chartflood

@@ -1,0 +1,58 @@
+#pragma once
+/// The interface as a whole: where each panel stands, which keys act, when the next frame is due.
+/// Needs a Dear ImGui context, but no window and no GL.
+
+#include "app/gui/file_browser.h"
+#include "app/gui/panels/scene_panel.h"
+#include "app/gui/probe.h"
+#include "app/gui/theme.h"
+#include "app/gui/ui.h"
+
+namespace chartflood {
+
+class Frame {
+ public:
+  /// The window at scale 1 below which the right pane starts hidden.
+  static constexpr float kNarrow = 1200;
+
+  Frame(AppState& state, const ActionRegistry& actions, float scale);
+
+  /// Changes the size of text and controls; the fonts must then be uploaded again.
+  void setScale(float scale);
+  float scale() const { return theme_.scale; }
+
+  /// Submits everything between ImGui::NewFrame and ImGui::Render. `source` may be null.
+  void draw(SceneSource* source);
+  /// Runs what a key is bound to, unless a text field or a widget owns the keyboard. Returns
+  /// whether it acted.
+  bool key(const Chord& chord, bool repeated);
+
+  /// Seconds until another frame is needed though nothing happens; large for never.
+  double wakeIn() const { return memory_.wakeIn; }
+  const Probe& probe() const { return probe_; }
+
+ private:
+  /// Rectangles of the panels in this frame.
+  struct Layout {
+    ImVec2 screen;
+    float top, tool, bottom, status, left, right;
+  };
+
+  Layout layOut();
+  void drawBars(const Ui& ui, const Layout& layout);
+  void drawLeft(const Ui& ui, const Layout& layout);
+  void drawRight(const Ui& ui, const Layout& layout);
+  void drawScene(const Ui& ui, const Layout& layout, SceneSource* source);
+  void drawSplitters(const Ui& ui, const Layout& layout);
+
+  AppState& state_;
+  const ActionRegistry& actions_;
+  Theme theme_;
+  Probe probe_;
+  UiMemory memory_;
+  SceneMouse mouse_;
+  FileBrowser browser_;
+  bool laidOut_ = false;
+};
+
+}  // namespace chartflood

@@ -1,0 +1,37 @@
+#pragma once
+/// Draws what Dear ImGui has to draw, with our own GL objects: the same pixels in a window and
+/// offscreen.
+
+#include <imgui.h>
+
+#include "render/gl/objects.h"
+#include "render/gl/program.h"
+
+namespace chartflood {
+
+class ImguiGl {
+ public:
+  /// Needs a current GL context and Dear ImGui context.
+  ImguiGl();
+
+  /// Uploads the font atlas; again after every change of it.
+  void uploadFonts();
+  /// Draws into the framebuffer that is bound.
+  void draw(const ImDrawData& data);
+
+ private:
+  void setState(const ImDrawData& data);
+  void drawList(const ImDrawList& list, const ImDrawData& data);
+
+  gl::Program program_;
+  gl::VertexArray vertexArray_;
+  gl::Buffer vertices_, indices_;
+  gl::Texture fonts_;
+};
+
+/// The identity that Dear ImGui knows a GL texture by.
+inline ImTextureID textureId(GLuint texture) {
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+}
+
+}  // namespace chartflood

@@ -1,0 +1,127 @@
+// Figures of each chart, sortable by column; a click selects the chart.
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "app/gui/panels/panels.h"
+#include "app/gui/widgets.h"
+
+namespace chartflood {
+
+namespace {
+
+enum Column { kChart, kFaces, kGauss, kShare, kPerimeter, kDisk, kColumns };
+
+double cell(const ChartFigures& figures, std::size_t chart, int column) {
+  switch (column) {
+  case kFaces:
+    return static_cast<double>(figures.faces);
+  case kGauss:
+  case kShare:
+    return figures.gaussArea;
+  case kPerimeter:
+    return figures.perimeter;
+  case kDisk:
+    return figures.disk ? 1 : 0;
+  default:
+    return static_cast<double>(chart);
+  }
+}
+
+std::vector<std::size_t> sortedCharts(const ChartStats& stats) {
+  std::vector<std::size_t> order(stats.charts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+  if (specs == nullptr || specs->SpecsCount == 0) return order;
+  const int column = specs->Specs[0].ColumnIndex;
+  const bool down = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const double x = cell(stats.charts[a], a, column), y = cell(stats.charts[b], b, column);
+    return down ? y < x : x < y;
+  });
+  return order;
+}
+
+/// A number at the right edge of its cell.
+void rightText(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  const float width = ImGui::CalcTextSize(text).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
+                       std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
+  ImGui::TextUnformatted(text);
+}
+
+void tableRow(const Ui& ui, const ChartStats& stats, std::size_t chart) {
+  const ChartFigures& figures = stats.charts[chart];
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const bool selected = ui.state.selectedChart == chart;
+  if (ImGui::Selectable(std::to_string(chart).c_str(), selected,
+                        ImGuiSelectableFlags_SpanAllColumns)) {
+    ui.run("select-chart " + std::to_string(chart));
+  }
+  ui.probe.item("chart/" + std::to_string(chart));
+  ImGui::TableNextColumn();
+  rightText("%.0f", static_cast<double>(figures.faces));
+  ImGui::TableNextColumn();
+  rightText("%.3f", figures.gaussArea);
+  ImGui::TableNextColumn();
+  rightText("%.0f %%", stats.balanceDefined ? 100 * figures.gaussArea / stats.gaussMean : 0);
+  ImGui::TableNextColumn();
+  rightText("%.3g", figures.perimeter);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(figures.disk ? "yes" : "no");
+}
+
+void headers(const Ui& ui) {
+  const ImGuiTableColumnFlags fixed = ImGuiTableColumnFlags_WidthStretch;
+  ImGui::TableSetupColumn("#", fixed | ImGuiTableColumnFlags_DefaultSort, 0.7f);
+  ImGui::TableSetupColumn("Faces", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);
+  ImGui::TableSetupColumn("Gauss", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);
+  ImGui::TableSetupColumn("Share", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);
+  ImGui::TableSetupColumn("Border", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);
+  ImGui::TableSetupColumn("Disk", fixed, 0.9f);
+  ImGui::TableSetupScrollFreeze(0, 1);
+  static const char* const kHelp[kColumns] = {
+      "Number of the chart.",
+      "Faces of the model in the chart.",
+      "Gauss area in steradians: how much the chart's surface turns.",
+      "Gauss area against the mean of all charts: 100 % is balanced.",
+      "Length of the chart's border in units of the model.",
+      "Whether the chart is one piece with one border, so that it can lie flat."};
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (int column = 0; column < kColumns; ++column) {
+    ImGui::TableSetColumnIndex(column);
+    const char* name = ImGui::TableGetColumnName(column);
+    ImGui::TableHeader(name);
+    ui.probe.item(std::string("column/") + name);
+    tooltip(ui, std::string("column/") + name, "", kHelp[column]);
+  }
+}
+
+}  // namespace
+
+void chartTable(const Ui& ui) {
+  const std::shared_ptr<const ChartStats> stats = ui.state.results().chartStats;
+  if (!stats || stats->charts.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
+    ImGui::TextWrapped("The charts appear here after the first flood. Press Space to play it.");
+    ImGui::PopStyleColor();
+    return;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(4), ui.px(2)));
+  const ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg |
+                                ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
+  if (ImGui::BeginTable("charts", kColumns, flags)) {
+    headers(ui);
+    for (std::size_t chart : sortedCharts(*stats)) tableRow(ui, *stats, chart);
+    ImGui::EndTable();
+  }
+  ImGui::PopStyleVar();
+}
+
+}  // namespace chartflood

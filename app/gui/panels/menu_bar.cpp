@@ -1,0 +1,158 @@
+// The menus: every entry is an action of the registry.
+
+#include <filesystem>
+#include <string>
+
+#include "app/gui/panels/color_mode_combo.h"
+#include "app/gui/panels/panels.h"
+#include "app/gui/widgets.h"
+#include "app/host/command.h"
+#include "core/io/samples.h"
+
+namespace chartflood {
+
+namespace {
+
+/// A menu of the bar, noted under "menu/NAME".
+bool beginMenu(const Ui& ui, const char* name) {
+  const bool open = ImGui::BeginMenu(name);
+  ui.probe.item(std::string("menu/") + name);
+  return open;
+}
+
+void recentMenu(const Ui& ui) {
+  const std::vector<std::string> recent = ui.state.preferences.recentFiles;
+  if (!ImGui::BeginMenu("Open recent", !recent.empty())) return;
+  for (const std::string& file : recent) {
+    actionMenuItem(ui, "open " + quotedArgument(file),
+                   std::filesystem::path(file).filename().string());
+  }
+  ImGui::EndMenu();
+}
+
+void fileMenu(const Ui& ui) {
+  if (!beginMenu(ui, "File")) return;
+  actionMenuItem(ui, "browse");
+  recentMenu(ui);
+  if (ImGui::BeginMenu("Samples")) {
+    for (const SampleInfo& sample : sampleTable()) {
+      actionMenuItem(ui, std::string("sample ") + sample.id, sample.title);
+    }
+    ImGui::EndMenu();
+  }
+  actionMenuItem(ui, "reload");
+  ImGui::Separator();
+  actionMenuItem(ui, "export-labels");
+  actionMenuItem(ui, "export-report");
+  ImGui::Separator();
+  actionMenuItem(ui, "screenshot");
+  actionMenuItem(ui, "screenshot bare=on", "Screenshot without helpers");
+  ImGui::Separator();
+  actionMenuItem(ui, "quit");
+  ImGui::EndMenu();
+}
+
+void editMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Edit")) return;
+  const std::string undo = ui.state.undoHistory().undoName();
+  const std::string redo = ui.state.undoHistory().redoName();
+  actionMenuItem(ui, "undo", undo.empty() ? "Undo" : "Undo " + undo);
+  actionMenuItem(ui, "redo", redo.empty() ? "Redo" : "Redo " + redo);
+  ImGui::Separator();
+  actionMenuItem(ui, "more-charts");
+  actionMenuItem(ui, "fewer-charts");
+  actionMenuItem(ui, "roll-seed");
+  actionMenuItem(ui, "reset-all");
+  ImGui::Separator();
+  actionMenuItem(ui, "copy-command");
+  ImGui::EndMenu();
+}
+
+void viewMenu(const Ui& ui) {
+  if (!beginMenu(ui, "View")) return;
+  colorModeMenu(ui);
+  ImGui::Separator();
+  for (const char* overlay : {"seams", "edges", "sharp-edges", "seeds", "numbers", "color-bar"}) {
+    actionMenuItem(ui, overlay);
+  }
+  ImGui::Separator();
+  actionMenuItem(ui, "frame-all");
+  if (ImGui::BeginMenu("Standard views")) {
+    for (const char* view : {"oblique", "front", "back", "left", "right", "top", "bottom"}) {
+      std::string title = view;
+      title[0] = static_cast<char>(title[0] - 'a' + 'A');
+      actionMenuItem(ui, std::string("view ") + view, title);
+    }
+    ImGui::EndMenu();
+  }
+  actionMenuItem(ui, "orthographic");
+  if (ImGui::BeginMenu("Mouse like")) {
+    actionMenuItem(ui, "navigation simple", "Simple: left turns, middle moves, wheel zooms");
+    actionMenuItem(ui, "navigation blender", "Blender: middle turns, Shift+middle moves");
+    actionMenuItem(ui, "navigation maya", "Maya: Alt+left turns, Alt+middle moves");
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  if (ImGui::BeginMenu("Size of the interface")) {
+    actionMenuItem(ui, "ui-scale auto", "As the screen proposes");
+    for (const char* percent : {"75", "100", "125", "150", "175", "200", "250"}) {
+      actionMenuItem(ui, std::string("ui-scale ") + percent, std::string(percent) + " %");
+    }
+    ImGui::EndMenu();
+  }
+  actionMenuItem(ui, "right-pane");
+  actionMenuItem(ui, "hide-panels");
+  actionMenuItem(ui, "full-screen");
+  ImGui::EndMenu();
+}
+
+void runMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Run")) return;
+  for (const char* line :
+       {"play", "step", "step-many", "back", "back-many", "finish", "first", "last"}) {
+    actionMenuItem(ui, line);
+  }
+  ImGui::Separator();
+  for (const char* line : {"iteration", "run", "stop", "best"}) actionMenuItem(ui, line);
+  ImGui::Separator();
+  actionMenuItem(ui, "reset-flood");
+  actionMenuItem(ui, "reset-seeds");
+  ImGui::EndMenu();
+}
+
+void helpMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Help")) return;
+  actionMenuItem(ui, "keys");
+  actionMenuItem(ui, "first-steps");
+  actionMenuItem(ui, "log");
+  ImGui::Separator();
+  actionMenuItem(ui, "about");
+  ImGui::EndMenu();
+}
+
+/// The model's name at the right end.
+void modelName(const Ui& ui) {
+  const std::string name = ui.state.modelName();
+  const float width = ImGui::CalcTextSize(name.c_str()).x + ui.px(12);
+  const float left = ImGui::GetWindowWidth() - width;
+  if (name.empty() || left < ImGui::GetCursorPosX() + ui.px(20)) return;
+  ImGui::SetCursorPosX(left);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
+  ImGui::TextUnformatted(name.c_str());
+  ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void menuBar(const Ui& ui) {
+  if (!ImGui::BeginMenuBar()) return;
+  fileMenu(ui);
+  editMenu(ui);
+  viewMenu(ui);
+  runMenu(ui);
+  helpMenu(ui);
+  modelName(ui);
+  ImGui::EndMenuBar();
+}
+
+}  // namespace chartflood

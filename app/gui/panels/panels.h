@@ -1,0 +1,35 @@
+#pragma once
+/// The panels of the window, each in a file of its own name.
+
+#include "app/gui/ui.h"
+
+namespace chartflood {
+
+/// Menus over the whole width. Call inside a window with a menu bar.
+void menuBar(const Ui& ui);
+/// Transport, speed, colour mode, picture. Fills the present window.
+void toolBar(const Ui& ui);
+/// Presets and the parameter table with its sections.
+void parameterPanel(const Ui& ui);
+/// Colours, overlays, camera.
+void viewPanel(const Ui& ui);
+/// The strip of rounds and the record of the present flood. Fills the present window.
+void timeline(const Ui& ui);
+/// State of work, what is under the mouse, figures. Fills the present window.
+void statusBar(const Ui& ui);
+/// Figures of each chart, sortable.
+void chartTable(const Ui& ui);
+/// Balance over the rounds, and Gauss area of each chart.
+void balancePlot(const Ui& ui);
+/// All messages so far, in a window of its own.
+void logWindow(const Ui& ui);
+/// Keys and what they do, made from the registry, in a window of its own.
+void keysWindow(const Ui& ui);
+/// Name, version, paper, fonts.
+void aboutWindow(const Ui& ui);
+/// Sentences in the top right corner of the area.
+void toasts(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
+/// The first steps, at the bottom of the area, until a key or click.
+void firstStepsCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
+
+}  // namespace chartflood

@@ -1,0 +1,182 @@
+#include "app/gui/panels/scene_panel.h"
+
+#include <cmath>
+#include <string>
+
+#include <imgui_internal.h>
+
+#include "app/gui/camera_control.h"
+#include "app/gui/widgets.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr double kSettleSeconds = 0.2;  // after the last movement the picture is drawn smoothly
+constexpr double kQuickPick = 0.02;     // slower picks wait for a resting mouse
+constexpr float kClickTravel = 4;       // a press that moves less is a click
+
+Pick pickAt(SceneSource* source, const ViewRectangle& view, ImVec2 place) {
+  if (source == nullptr) return {};
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  return source->pick(static_cast<int>((place.x - view.min.x) * scale.x),
+                      static_cast<int>((place.y - view.min.y) * scale.y));
+}
+
+void moveCamera(const Ui& ui, const ViewRectangle& view, SceneMouse& mouse) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 delta = io.MouseDelta;
+  if (delta.x == 0 && delta.y == 0) return;
+  mouse.travelled += std::abs(delta.x) + std::abs(delta.y);
+  if (mouse.travelled < kClickTravel) return;
+  const CameraMotion motion =
+      motionOf(ui.state.preferences.navigation, mouse.button, io.KeyShift, io.KeyCtrl, io.KeyAlt);
+  if (motion == CameraMotion::None) return;
+  dragCamera(ui.state.view.camera, motion, view, {io.MousePos.x - delta.x, io.MousePos.y - delta.y},
+             io.MousePos, ui.state.preferences.invertZoom);
+  mouse.movedAt = ImGui::GetTime();
+}
+
+void click(const Ui& ui, SceneSource* source, const ViewRectangle& view) {
+  const Pick pick = pickAt(source, view, ImGui::GetIO().MousePos);
+  if (ImGui::GetIO().MouseDoubleClicked[0] && pick.hit()) return;
+  ui.run(pick.chart == kNone ? "select-chart" : "select-chart " + std::to_string(pick.chart));
+}
+
+void hover(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMouse& mouse) {
+  const ImVec2 place = ImGui::GetIO().MousePos;
+  const bool same = place.x == mouse.pickedAt.x && place.y == mouse.pickedAt.y;
+  if (same || source == nullptr) return;
+  const bool resting = ImGui::GetIO().MouseDelta.x == 0 && ImGui::GetIO().MouseDelta.y == 0;
+  if (source->pickSeconds() > kQuickPick && (!resting || ui.state.playback.playing())) {
+    return ui.wakeIn(kSettleSeconds);
+  }
+  mouse.pickedAt = place;
+  ui.state.hoveredFace = pickAt(source, view, place).face;
+}
+
+void useMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMouse& mouse) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActivated()) {
+    mouse.button = io.MouseDown[0] ? 0 : io.MouseDown[1] ? 1 : 2;
+    mouse.travelled = 0;
+    if (ui.state.panels.firstCard) ui.run("first-steps off");
+    GImGui->NavDisableHighlight = true;  // the keyboard belongs to the view again
+  }
+  if (ImGui::IsItemActive() && mouse.button >= 0) moveCamera(ui, view, mouse);
+  if (ImGui::IsItemDeactivated()) {
+    if (mouse.button == 0 && mouse.travelled < kClickTravel) click(ui, source, view);
+    mouse.button = -1;
+  }
+  if (!ImGui::IsItemHovered()) {
+    ui.state.hoveredFace = kNone;
+    mouse.pickedAt = {-1, -1};
+    return;
+  }
+  if (io.MouseDoubleClicked[0]) {
+    if (const Pick pick = pickAt(source, view, io.MousePos); pick.hit()) {
+      ui.state.view.camera.target = pick.point;
+      mouse.movedAt = ImGui::GetTime();
+    }
+  }
+  if (io.MouseWheel != 0) {
+    wheelCamera(ui.state.view.camera, view, io.MousePos, io.MouseWheel,
+                ui.state.preferences.invertZoom);
+    mouse.movedAt = ImGui::GetTime();
+  }
+  if (mouse.button < 0) hover(ui, source, view, mouse);
+}
+
+/// The model's axes at the bottom left, so that turning is never lost.
+void drawAxes(const Ui& ui, const ViewRectangle& view) {
+  struct Axis {
+    const char* name;
+    glm::dvec3 direction;
+    ImU32 color;
+  };
+  const Axis axes[] = {{"x", {1, 0, 0}, IM_COL32(0xD9, 0x7B, 0x73, 255)},
+                       {"y", {0, 1, 0}, IM_COL32(0x8C, 0xBF, 0x7A, 255)},
+                       {"z", {0, 0, 1}, IM_COL32(0x74, 0x9F, 0xD6, 255)}};
+  const Camera& camera = ui.state.view.camera;
+  const float length = ui.px(26);
+  const ImVec2 center{view.min.x + ui.px(44), view.max.y - ui.px(56)};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushFont(ui.theme.small);
+  for (const Axis& axis : axes) {
+    const auto x = static_cast<float>(glm::dot(axis.direction, camera.right()));
+    const auto y = static_cast<float>(glm::dot(axis.direction, camera.upward()));
+    const ImVec2 tip{center.x + length * x, center.y - length * y};
+    list.AddLine(center, tip, axis.color, ui.px(1.6f));
+    const ImVec2 size = ImGui::CalcTextSize(axis.name);
+    list.AddText(
+        {center.x + 1.32f * length * x - size.x / 2, center.y - 1.32f * length * y - size.y / 2},
+        axis.color, axis.name);
+  }
+  ImGui::PopFont();
+}
+
+const char* hintText(NavigationStyle style) {
+  switch (style) {
+  case NavigationStyle::Blender:
+    return "Middle: turn    Shift+middle: move    Wheel: closer    Click: select a chart";
+  case NavigationStyle::Maya:
+    return "Alt+left: turn    Alt+middle: move    Alt+right: closer    Click: select a chart";
+  case NavigationStyle::Simple:
+    break;
+  }
+  return "Drag: turn    Middle: move    Wheel: closer    Click: select a chart    H: keys";
+}
+
+void drawHint(const Ui& ui, const ViewRectangle& view) {
+  const char* text = hintText(ui.state.preferences.navigation);
+  ImGui::PushFont(ui.theme.small);
+  const float width = ImGui::CalcTextSize(text).x;
+  if (width + ui.px(24) < view.width()) {
+    ImGui::GetWindowDrawList()->AddText(
+        {std::round((view.min.x + view.max.x - width) / 2), view.max.y - ui.px(24)},
+        ui.theme.palette.dim, text);
+  }
+  ImGui::PopFont();
+}
+
+void drawInvitation(const Ui& ui, const ViewRectangle& view) {
+  const char* text =
+      ui.state.status().busy ? "Reading\u2026" : "Drop a model here, or press Ctrl+O";
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  ImGui::GetWindowDrawList()->AddText({std::round((view.min.x + view.max.x - size.x) / 2),
+                                       std::round((view.min.y + view.max.y - size.y) / 2)},
+                                      ui.theme.palette.dim, text);
+}
+
+}  // namespace
+
+void scenePanel(const Ui& ui, SceneSource* source, SceneMouse& mouse) {
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
+  if (size.x < 8 || size.y < 8) return;
+  const ViewRectangle view{low, {low.x + size.x, low.y + size.y}};
+  if (ui.state.view.frameWhenLoaded && ui.state.hasMesh()) {
+    ui.state.view.camera.frame(ui.state.results().mesh->positions(), view.aspect());
+    ui.state.view.frameWhenLoaded = false;
+  }
+  ImGui::InvisibleButton("view", size,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  ui.probe.item("view");
+  useMouse(ui, source, view, mouse);
+  const double still = ImGui::GetTime() - mouse.movedAt;
+  const bool moving =
+      still < kSettleSeconds || ui.state.playback.playing() || ui.state.status().busy;
+  if (still < kSettleSeconds) ui.wakeIn(kSettleSeconds - still);
+  if (source != nullptr) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const ImTextureID picture =
+        source->picture(ui.state, static_cast<int>(size.x * scale.x),
+                        static_cast<int>(size.y * scale.y), ui.theme.scale, moving);
+    ImGui::GetWindowDrawList()->AddImage(picture, view.min, view.max, {0, 1}, {1, 0});
+  }
+  if (!ui.state.hasMesh()) return drawInvitation(ui, view);
+  drawAxes(ui, view);
+  if (!ui.state.panels.firstCard) drawHint(ui, view);
+}
+
+}  // namespace chartflood

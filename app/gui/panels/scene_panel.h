@@ -1,0 +1,20 @@
+#pragma once
+/// The 3D view: its picture, the mouse on it, hints and axes over it.
+
+#include "app/gui/scene_view.h"
+#include "app/gui/ui.h"
+
+namespace chartflood {
+
+/// What the mouse is doing in the view; kept by the owner of the panel.
+struct SceneMouse {
+  int button = -1;       ///< that was pressed inside the view, -1: none
+  float travelled = 0;   ///< pixels since then
+  double movedAt = -10;  ///< time of the last movement of the camera, ImGui::GetTime()
+  ImVec2 pickedAt{-1, -1};
+};
+
+/// Fills the present window. Without a source the ground is drawn alone.
+void scenePanel(const Ui& ui, SceneSource* source, SceneMouse& mouse);
+
+}  // namespace chartflood

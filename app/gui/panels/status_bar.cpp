@@ -1,0 +1,111 @@
+// State of work with a bar and a way to cancel, what is under the mouse, figures of the result.
+
+#include <cstdio>
+#include <string>
+
+#include "app/gui/panels/panels.h"
+#include "app/gui/widgets.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr double kQuietSeconds = 0.3;  // shorter work shows no bar
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+void workState(const Ui& ui) {
+  const WorkStatus& status = ui.state.status();
+  if (status.busy && status.seconds > kQuietSeconds) {
+    const std::string phase = *status.phase == '\0' ? "Working" : status.phase;
+    ImGui::TextUnformatted(phase.c_str());
+    ImGui::SameLine();
+    const float height = ui.px(6), width = ui.px(90);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + (ImGui::GetTextLineHeight() - height) / 2;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({at.x, y}, {at.x + width, y + height}, ui.theme.palette.control, height / 2);
+    list.AddRectFilled({at.x, y}, {at.x + width * status.fraction, y + height},
+                       ui.theme.palette.accent, height / 2);
+    ImGui::Dummy({width, 0});
+    ImGui::SameLine();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), 0));
+    textButton(ui, "Stop", "stop");
+    ImGui::PopStyleVar();
+    return;
+  }
+  const Playback& playback = ui.state.playback;
+  const char* words = "Open a model to begin";
+  if (playback.playing()) {
+    words = "Playing";
+  } else if (ui.state.results().stale) {
+    words = "Out of date: press Play";
+  } else if (ui.state.hasMesh()) {
+    words = ui.state.results().stopReason != StopReason::NotStopped ? "Finished" : "Ready";
+  }
+  ImGui::TextUnformatted(words);
+}
+
+/// Chart of a face as shown at the playhead, kNone when it is dry.
+Index shownChart(const AppState& state, Index face) {
+  const Segmentation* labels = state.results().segmentation.get();
+  if (labels == nullptr || face >= labels->label.size()) return kNone;
+  return labels->label[face];
+}
+
+std::string underMouse(const AppState& state) {
+  const Results& results = state.results();
+  const Index face = state.hoveredFace;
+  if (face == kNone || !results.mesh || face >= results.mesh->faceCount()) return "";
+  std::string text = "Face " + std::to_string(results.mesh->inputFace(face));
+  if (const Index chart = shownChart(state, face); chart != kNone) {
+    text += "   Chart " + std::to_string(chart);
+  }
+  if (results.gaussArea) {
+    double area = 0;
+    for (Index t = results.mesh->triangleBegin(face); t < results.mesh->triangleBegin(face + 1);
+         ++t) {
+      area += results.gaussArea->triangle[t];
+    }
+    text += "   Gauss area " + format("%.3g sr", area);
+  }
+  return text;
+}
+
+std::string figures(const Results& results) {
+  if (!results.mesh) return "";
+  std::string text;
+  if (results.chartStats && results.segmentation && results.segmentation->complete) {
+    const ChartStats& stats = *results.chartStats;
+    text += std::to_string(stats.charts.size()) + " charts";
+    text += stats.balanceDefined ? "   spread " + format("%.1f %%", 100 * stats.stdOverMean())
+                                 : "   no curvature to balance";
+    text += "   |   ";
+  }
+  return text + grouped(results.mesh->triangleCount()) + " triangles";
+}
+
+}  // namespace
+
+void statusBar(const Ui& ui) {
+  ImGui::AlignTextToFramePadding();
+  workState(ui);
+  const std::string right = figures(ui.state.results());
+  const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
+  const float end = ImGui::GetWindowContentRegionMax().x;
+  const float start = ui.px(300);
+  const float room = end - rightWidth - ui.px(20) - start;
+  if (room > ui.px(60)) {
+    ImGui::SameLine(start);
+    fittedText(ui, underMouse(ui.state), room, ui.theme.palette.dim);
+  }
+  ImGui::SameLine(end - rightWidth);
+  ImGui::TextUnformatted(right.c_str());
+  ui.probe.item("figures");
+}
+
+}  // namespace chartflood

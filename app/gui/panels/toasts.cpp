@@ -1,0 +1,106 @@
+// Sentences over the 3D view, and the card of first steps.
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/panels/panels.h"
+#include "app/gui/widgets.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr ImGuiWindowFlags kOverlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+ImU32 kindColor(const Palette& palette, Notice::Kind kind) {
+  switch (kind) {
+  case Notice::Kind::Error:
+    return palette.error;
+  case Notice::Kind::Warning:
+    return palette.warning;
+  case Notice::Kind::Info:
+    break;
+  }
+  return palette.accent;
+}
+
+/// Draws one toast below `top`; returns its height.
+float drawToast(const Ui& ui, std::size_t index, ImVec2 topRight, float width) {
+  const Toast toast = ui.state.notices.toasts()[index];
+  const std::string name = "toast " + std::to_string(index);
+  ImGui::SetNextWindowPos({topRight.x - width, topRight.y});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(5));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(14), ui.px(9)));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.theme.palette.bar);
+  ImGui::Begin(name.c_str(), nullptr, kOverlay & ~ImGuiWindowFlags_AlwaysAutoResize);
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + ui.px(4), low.y + size.y},
+                                            kindColor(ui.theme.palette, toast.kind), ui.px(5),
+                                            ImDrawFlags_RoundCornersLeft);
+  const float side = ui.px(24);
+  ImGui::PushTextWrapPos(width - side - ui.px(16));
+  ImGui::TextUnformatted(toast.text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::SetCursorPos({width - side - ui.px(6), ui.px(6)});
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  iconButton(ui, Icon::Close, "close-toast " + std::to_string(index), {side, side});
+  ImGui::PopStyleColor();
+  ui.probe.rectangle(name, low, {low.x + size.x, low.y + size.y});
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+  if (toast.kind != Notice::Kind::Error)
+    ui.wakeIn(std::max(0.0, Notices::kToastSeconds - toast.age));
+  return size.y;
+}
+
+}  // namespace
+
+void toasts(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax) {
+  const float margin = ui.px(12);
+  const float width = std::min(ui.px(380), areaMax.x - areaMin.x - 2 * margin);
+  float y = areaMin.y + margin;
+  for (std::size_t i = 0; i < ui.state.notices.toasts().size(); ++i) {
+    y += drawToast(ui, i, {areaMax.x - margin, y}, width) + ui.px(6);
+  }
+}
+
+void firstStepsCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax) {
+  if (!ui.state.panels.firstCard) return;
+  static constexpr const char* kLines[][2] = {
+      {"Space", "watch it flood, once more to pause"},
+      {"1 \u2013 5", "what to see: charts, curvature, time"},
+      {"Enter", "run to the best balance"},
+      {"F12", "take a picture"}};
+  const float width = std::min(ui.px(400), areaMax.x - areaMin.x - ui.px(24));
+  ImGui::SetNextWindowPos({std::round((areaMin.x + areaMax.x) / 2), areaMax.y - ui.px(44)}, 0,
+                          {0.5f, 1.0f});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::SetNextWindowBgAlpha(0.94f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(8));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(18), ui.px(14)));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.theme.palette.bar);
+  ImGui::Begin("first steps", nullptr, kOverlay & ~ImGuiWindowFlags_AlwaysAutoResize);
+  for (const auto& [key, words] : kLines) {
+    ImGui::PushFont(ui.theme.strong);
+    ImGui::TextUnformatted(key);
+    ImGui::PopFont();
+    ImGui::SameLine(ui.px(96));
+    ImGui::TextUnformatted(words);
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
+  ImGui::TextUnformatted("Drop a model anywhere in the window. Any key closes this.");
+  ImGui::PopStyleColor();
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  ui.probe.rectangle("first-steps", low, {low.x + size.x, low.y + size.y});
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) ui.run("first-steps off");
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace chartflood

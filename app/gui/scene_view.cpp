@@ -1,0 +1,153 @@
+#include "app/gui/scene_view.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "app/gui/imgui_gl.h"
+#include "core/gauss/sector_normals.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr int kSmoothSamples = 4;
+constexpr double kSmoothWhileMoving = 0.012;  // seconds a smooth picture may take in motion
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool isReady(const std::future<CornerNormals>& future) {
+  return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace
+
+RenderSettings sceneSettings(const AppState& state, float pixelScale) {
+  RenderSettings settings = state.view.render;
+  settings.pixelScale = pixelScale;
+  settings.playhead.reset();
+  if (!state.showsFinal()) settings.playhead = state.playback.playhead();
+  settings.hoverFace = state.hoveredFace;
+  settings.selectedCharts.clear();
+  if (state.selectedChart != kNone) settings.selectedCharts.push_back(state.selectedChart);
+  return settings;
+}
+
+SceneView::SceneView(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+void SceneView::takeMesh(const Results& results) {
+  if (results.mesh == mesh_) return;
+  mesh_ = results.mesh;
+  renderer_.setMesh(mesh_, nullptr);
+  gaussArea_.reset();
+  segmentation_.reset();
+  record_.reset();
+  seeds_.clear();
+  normalsAngle_ = -1;
+  ++content_;
+}
+
+void SceneView::takeNormals(const Results& results) {
+  if (isReady(normals_)) {
+    const CornerNormals normals = normals_.get();
+    if (normalsMesh_ == mesh_) renderer_.setNormals(&normals);
+    ++content_;
+  }
+  if (!mesh_ || !results.gaussArea || normals_.valid()) return;
+  const double angle = results.gaussArea->sharpAngle;
+  if (angle == normalsAngle_ && normalsMesh_ == mesh_) return;
+  normalsAngle_ = angle;
+  normalsMesh_ = mesh_;
+  normals_ = std::async(std::launch::async, [mesh = mesh_, angle, wake = wake_] {
+    CornerNormals normals = computeCornerNormals(*mesh, angle);
+    wake();
+    return normals;
+  });
+}
+
+void SceneView::takeFlood(const Results& results) {
+  if (results.record != record_) {
+    record_ = results.record;
+    recorded_ = 0;
+    renderer_.setFlood(record_);
+    ++content_;
+  }
+  if (record_ && record_->size() != recorded_) {
+    recorded_ = record_->size();
+    renderer_.updateFlood();
+    ++content_;
+  }
+  if (results.seeds != seeds_) {
+    seeds_ = results.seeds;
+    std::vector<SeedMark> marks;
+    for (std::size_t i = 0; i < seeds_.size(); ++i) {
+      marks.push_back({seeds_[i], static_cast<Index>(i), false});
+    }
+    renderer_.setSeeds(marks);
+    ++content_;
+  }
+}
+
+void SceneView::takeIn(const AppState& state) {
+  const Results& results = state.results();
+  takeMesh(results);
+  if (!mesh_) return;
+  if (results.gaussArea != gaussArea_) {
+    gaussArea_ = results.gaussArea;
+    renderer_.setGaussArea(gaussArea_.get());
+    ++content_;
+  }
+  takeNormals(results);
+  if (results.segmentation != segmentation_) {
+    segmentation_ = results.segmentation;
+    renderer_.setSegmentation(segmentation_.get());
+    ++content_;
+  }
+  takeFlood(results);
+}
+
+int SceneView::samplesFor(bool moving) const {
+  return moving && smoothSeconds_ > kSmoothWhileMoving ? 1 : kSmoothSamples;
+}
+
+void SceneView::draw(const Shown& shown) {
+  const auto start = std::chrono::steady_clock::now();
+  const bool fits = framebuffer_.width() == shown.width && framebuffer_.height() == shown.height &&
+                    shown_ && shown_->samples == shown.samples;
+  if (!fits) framebuffer_ = gl::Framebuffer(shown.width, shown.height, shown.samples);
+  renderer_.draw(framebuffer_, shown.camera, shown.settings);
+  glFinish();  // the cost decides on the smoothing of the next pictures
+  if (shown.samples == kSmoothSamples) smoothSeconds_ = secondsSince(start);
+}
+
+ImTextureID SceneView::picture(const AppState& state, int width, int height, float pixelScale,
+                               bool moving) {
+  takeIn(state);
+  width_ = std::max(1, width);
+  height_ = std::max(1, height);
+  const Shown wanted{sceneSettings(state, pixelScale),
+                     state.view.camera,
+                     width_,
+                     height_,
+                     samplesFor(moving),
+                     content_};
+  if (!shown_ || *shown_ != wanted) {
+    const gl::FramebufferScope keep;
+    draw(wanted);
+    shown_ = wanted;
+  }
+  return textureId(framebuffer_.texture());
+}
+
+Pick SceneView::pick(int x, int y) {
+  if (!shown_ || !mesh_) return {};
+  const auto start = std::chrono::steady_clock::now();
+  const gl::FramebufferScope keep;
+  const Pick pick = renderer_.pick(shown_->camera, width_, height_, x, y);
+  pickSeconds_ = secondsSince(start);
+  return pick;
+}
+
+}  // namespace chartflood

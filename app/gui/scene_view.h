@@ -1,0 +1,91 @@
+#pragma once
+/// The 3D view's picture: keeps the renderer's copy of the results up to date and draws only when
+/// something that can be seen has changed.
+
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <imgui.h>
+
+#include "app/host/app_state.h"
+#include "core/model/corner_normals.h"
+#include "render/gl/framebuffer.h"
+#include "render/renderer.h"
+
+namespace chartflood {
+
+/// What the scene panel needs of a picture; tests without GL use one of their own.
+class SceneSource {
+ public:
+  virtual ~SceneSource() = default;
+  /// The picture at this size in pixels. While `moving` it may be drawn with less smoothing.
+  virtual ImTextureID picture(const AppState& state, int width, int height, float pixelScale,
+                              bool moving) = 0;
+  /// What is under a pixel of the last picture, counted from its top left.
+  virtual Pick pick(int x, int y) = 0;
+  /// Seconds that the last pick took.
+  virtual double pickSeconds() const = 0;
+};
+
+/// The settings of the picture that shows the state now: playhead, selection, hover.
+RenderSettings sceneSettings(const AppState& state, float pixelScale);
+
+class SceneView : public SceneSource {
+ public:
+  /// Needs a current GL context, now and in every call. `wake` is called from another thread when
+  /// something new can be drawn.
+  explicit SceneView(std::function<void()> wake);
+
+  ImTextureID picture(const AppState& state, int width, int height, float pixelScale,
+                      bool moving) override;
+  Pick pick(int x, int y) override;
+  double pickSeconds() const override { return pickSeconds_; }
+
+  Renderer& renderer() { return renderer_; }
+  /// Size of the last picture.
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  /// Everything a picture depends on.
+  struct Shown {
+    RenderSettings settings;
+    Camera camera;
+    int width = 0, height = 0, samples = 0;
+    std::uint64_t content = 0;
+
+    bool operator==(const Shown&) const = default;
+  };
+
+  void takeIn(const AppState& state);
+  void takeMesh(const Results& results);
+  void takeNormals(const Results& results);
+  void takeFlood(const Results& results);
+  int samplesFor(bool moving) const;
+  void draw(const Shown& shown);
+
+  Renderer renderer_;
+  std::function<void()> wake_;
+  gl::Framebuffer framebuffer_;
+  std::optional<Shown> shown_;
+  std::uint64_t content_ = 0;  ///< grows with every upload
+  int width_ = 1, height_ = 1;
+
+  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const GaussArea> gaussArea_;
+  std::shared_ptr<const Segmentation> segmentation_;
+  std::shared_ptr<const FloodRecord> record_;
+  std::size_t recorded_ = 0;
+  std::vector<Index> seeds_;
+  double normalsAngle_ = -1;
+  std::shared_ptr<const Mesh> normalsMesh_;
+  std::future<CornerNormals> normals_;
+
+  double smoothSeconds_ = 0, pickSeconds_ = 0;
+};
+
+}  // namespace chartflood

@@ -1,0 +1,141 @@
+#include "app/gui/theme.h"
+
+#include <cmath>
+
+#include <imgui_freetype.h>
+
+#include "render/text/font_data.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr ImU32 rgb(unsigned hex, unsigned alpha = 255) {
+  return IM_COL32((hex >> 16) & 255u, (hex >> 8) & 255u, hex & 255u, alpha);
+}
+
+constexpr Palette kDark = {
+    .ground = rgb(0x2B2B2B),
+    .panel = rgb(0x242526),
+    .bar = rgb(0x1D1E1F),
+    .control = rgb(0x35373A),
+    .controlHovered = rgb(0x404347),
+    .controlActive = rgb(0x4A4E53),
+    .line = rgb(0x3A3C3F),
+    .text = rgb(0xE6E7E8),
+    .dim = rgb(0xA2A6AA),
+    .accent = rgb(0x4FA3C7),
+    .accentSoft = rgb(0x2F5D73),
+    .front = rgb(0xF2C14E),
+    .good = rgb(0x6CC08B),
+    .warning = rgb(0xE5B567),
+    .error = rgb(0xE0736B),
+};
+
+ImVec4 vec(ImU32 color) { return ImGui::ColorConvertU32ToFloat4(color); }
+
+void setColors(ImGuiStyle& style, const Palette& p) {
+  ImGui::StyleColorsDark(&style);
+  auto set = [&](ImGuiCol index, ImU32 color) { style.Colors[index] = vec(color); };
+  set(ImGuiCol_Text, p.text);
+  set(ImGuiCol_TextDisabled, p.dim);
+  set(ImGuiCol_WindowBg, p.panel);
+  set(ImGuiCol_ChildBg, rgb(0, 0));
+  set(ImGuiCol_PopupBg, rgb(0x2C2E30));
+  set(ImGuiCol_MenuBarBg, p.bar);
+  set(ImGuiCol_Border, p.line);
+  set(ImGuiCol_Separator, p.line);
+  set(ImGuiCol_FrameBg, p.control);
+  set(ImGuiCol_FrameBgHovered, p.controlHovered);
+  set(ImGuiCol_FrameBgActive, p.controlActive);
+  set(ImGuiCol_Button, p.control);
+  set(ImGuiCol_ButtonHovered, p.controlHovered);
+  set(ImGuiCol_ButtonActive, p.controlActive);
+  set(ImGuiCol_Header, p.accentSoft);
+  set(ImGuiCol_HeaderHovered, p.controlHovered);
+  set(ImGuiCol_HeaderActive, p.controlActive);
+  set(ImGuiCol_CheckMark, p.accent);
+  set(ImGuiCol_SliderGrab, p.accent);
+  set(ImGuiCol_SliderGrabActive, p.accent);
+  set(ImGuiCol_Tab, p.panel);
+  set(ImGuiCol_TabHovered, p.controlHovered);
+  set(ImGuiCol_TabActive, p.control);
+  set(ImGuiCol_TableHeaderBg, p.bar);
+  set(ImGuiCol_TableRowBg, rgb(0, 0));
+  set(ImGuiCol_TableRowBgAlt, rgb(0xFFFFFF, 6));
+  set(ImGuiCol_TableBorderLight, rgb(0x303234));
+  set(ImGuiCol_TableBorderStrong, p.line);
+  set(ImGuiCol_ScrollbarBg, rgb(0, 0));
+  set(ImGuiCol_ScrollbarGrab, p.control);
+  set(ImGuiCol_ScrollbarGrabHovered, p.controlHovered);
+  set(ImGuiCol_ScrollbarGrabActive, p.controlActive);
+  set(ImGuiCol_NavHighlight, p.accent);
+  set(ImGuiCol_ModalWindowDimBg, rgb(0x000000, 110));
+  set(ImGuiCol_TextSelectedBg, p.accentSoft);
+  set(ImGuiCol_TitleBg, p.bar);
+  set(ImGuiCol_TitleBgActive, p.bar);
+}
+
+void setSizes(ImGuiStyle& style, float scale) {
+  style.WindowPadding = {10, 8};
+  style.FramePadding = {8, 4};
+  style.ItemSpacing = {8, 5};
+  style.ItemInnerSpacing = {6, 4};
+  style.IndentSpacing = 14;
+  style.ScrollbarSize = 11;
+  style.GrabMinSize = 10;
+  style.WindowBorderSize = 0;
+  style.ChildBorderSize = 0;
+  style.PopupBorderSize = 1;
+  style.FrameBorderSize = 0;
+  style.WindowRounding = 0;
+  style.ChildRounding = 0;
+  style.FrameRounding = 4;
+  style.PopupRounding = 5;
+  style.ScrollbarRounding = 6;
+  style.GrabRounding = 4;
+  style.TabRounding = 4;
+  style.WindowMinSize = {16, 16};
+  style.CellPadding = {6, 3};
+  style.ScaleAllSizes(scale);
+}
+
+ImFont* addFont(std::span<const unsigned char> data, float pixels) {
+  // Latin with accents, Greek, Cyrillic (file names), punctuation, subscripts, arrows, mathematics.
+  static const ImWchar kRanges[] = {0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x052F, 0x1E00,
+                                    0x1EFF, 0x2010, 0x205E, 0x2070, 0x209F, 0x2190, 0x2199,
+                                    0x2200, 0x2265, 0x25A0, 0x25CF, 0};
+  ImFontConfig config;
+  config.FontDataOwnedByAtlas = false;
+  config.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+  // The atlas never writes to data that it does not own.
+  return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<unsigned char*>(data.data()),
+                                                    static_cast<int>(data.size()), pixels, &config,
+                                                    kRanges);
+}
+
+}  // namespace
+
+float Theme::px(float length) const { return std::round(length * scale); }
+
+Theme applyTheme(float scale) {
+  Theme theme;
+  theme.scale = scale;
+  theme.palette = kDark;
+
+  ImGuiStyle& style = ImGui::GetStyle();
+  style = ImGuiStyle();
+  setColors(style, theme.palette);
+  setSizes(style, scale);
+
+  ImFontAtlas* atlas = ImGui::GetIO().Fonts;
+  atlas->Clear();
+  atlas->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+  theme.regular = addFont(interRegular(), std::round(15 * scale));
+  theme.strong = addFont(interSemiBold(), std::round(15 * scale));
+  theme.small = addFont(interRegular(), std::round(12 * scale));
+  atlas->Build();
+  return theme;
+}
+
+}  // namespace chartflood

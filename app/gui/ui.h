@@ -1,0 +1,42 @@
+#pragma once
+/// What every panel is given: the state it shows, the actions it emits, and how to draw.
+
+#include <string>
+#include <string_view>
+
+#include "app/gui/probe.h"
+#include "app/gui/theme.h"
+#include "app/host/action_registry.h"
+#include "app/host/app_state.h"
+
+namespace chartflood {
+
+/// What the widgets must remember between frames: never a value of the document.
+struct UiMemory {
+  std::string hovered;       ///< label of the widget under the mouse, for the tooltip's delay
+  double hoveredSince = 0;   ///< seconds of ImGui::GetTime()
+  bool hoveredSeen = false;  ///< submitted in this frame
+  std::string typing;        ///< label of the slider that is being typed into
+  std::string typed;         ///< what was typed so far
+  bool typingBegins = false;
+  float leftWidth = 0, rightWidth = 0;  ///< pixels; 0: not laid out yet
+  double wakeIn = 1e9;                  ///< seconds until the next frame is needed
+};
+
+struct Ui {
+  AppState& state;
+  const ActionRegistry& actions;
+  const Theme& theme;
+  Probe& probe;
+  UiMemory& memory;
+
+  /// Runs a script line; failures become toasts.
+  void run(std::string_view line) const { state.perform(actions, line); }
+  float px(float length) const { return theme.px(length); }
+  /// Asks for another frame at the latest after so many seconds.
+  void wakeIn(double seconds) const {
+    if (seconds < memory.wakeIn) memory.wakeIn = seconds;
+  }
+};
+
+}  // namespace chartflood

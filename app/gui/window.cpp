@@ -1,0 +1,320 @@
+#include "app/gui/window.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+#include <epoxy/gl.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#include "app/gui/imgui_gl.h"
+#include "app/gui/key_names.h"
+#include "app/gui/picture_taker.h"
+#include "app/gui/scene_view.h"
+#include "app/host/command.h"
+#include "core/base/error.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr double kFrameSeconds = 1.0 / 60;
+constexpr int kSettlingFrames = 3;  // Dear ImGui needs some frames to answer an event
+constexpr int kLeastWidth = 640, kLeastHeight = 480;
+
+std::atomic<bool> wokenByWorker{false};
+
+/// From any thread: something new can be seen.
+void wakeWindow() {
+  wokenByWorker.store(true, std::memory_order_relaxed);
+  glfwPostEmptyEvent();
+}
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string glfwProblem() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text == nullptr ? "no reason given" : text;
+}
+
+/// GLFW for as long as it lives.
+class Glfw {
+ public:
+  Glfw() {
+    if (glfwInit() == GLFW_TRUE) return;
+    throw Error("No window can be opened (" + glfwProblem() +
+                "). Without a display use --output=picture.png.");
+  }
+  ~Glfw() { glfwTerminate(); }
+  Glfw(const Glfw&) = delete;
+  Glfw& operator=(const Glfw&) = delete;
+};
+
+struct DestroyWindow {
+  void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
+
+WindowHandle openWindow(int width, int height) {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "chartflood");
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+    int x = 0, y = 0, mostWidth = width, mostHeight = height;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &mostWidth, &mostHeight);
+    width = std::min(width, mostWidth);
+    height = std::min(height, mostHeight);
+  }
+  WindowHandle window(glfwCreateWindow(width, height, "chartflood", nullptr, nullptr));
+  if (!window) {
+    throw Error("The window needs OpenGL 3.3, which is not there (" + glfwProblem() +
+                "). Use --output=picture.png to work without a window.");
+  }
+  glfwSetWindowSizeLimits(window.get(), kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwMakeContextCurrent(window.get());
+  glfwSwapInterval(1);
+  return window;
+}
+
+/// Dear ImGui with the window's input, for as long as it lives.
+class Imgui {
+ public:
+  explicit Imgui(GLFWwindow* window) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    ImGui_ImplGlfw_InitForOther(window, true);
+  }
+  ~Imgui() {
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+  }
+  Imgui(const Imgui&) = delete;
+  Imgui& operator=(const Imgui&) = delete;
+};
+
+/// Where the window stood before it took the whole screen.
+struct WindowedPlace {
+  int x = 0, y = 0, width = 1280, height = 800;
+};
+
+}  // namespace
+
+class Window::Parts {
+ public:
+  Parts(AppState& state, const ActionRegistry& actions, const WindowWatch& watch)
+      : state_(state), actions_(actions), watch_(watch),
+        window_(openWindow(state.preferences.windowWidth, state.preferences.windowHeight)),
+        callbacks_(*this), imgui_(window_.get()), frame_(state, actions, wantedScale()),
+        scene_(wakeWindow), pictures_(wakeWindow) {
+    drawer_.uploadFonts();
+    if (!watch_.frameLog.empty()) frameLog_.open(watch_.frameLog);
+    state_.session().setWake(wakeWindow);
+  }
+  ~Parts() { state_.session().setWake(nullptr); }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  void run() {
+    double last = now();
+    while (glfwWindowShouldClose(window_.get()) == GLFW_FALSE && !state_.requests.quit) {
+      wait();
+      if (!due()) continue;
+      const double start = now();
+      pass(start - last);
+      last = start;
+      passSeconds_ = now() - start;
+      if (frameLog_) frameLog_ << passSeconds_ << '\n' << std::flush;
+    }
+    rememberSize();
+  }
+
+ private:
+  /// Registers with GLFW before Dear ImGui does, which then calls on.
+  struct Callbacks {
+    explicit Callbacks(Parts& parts);
+  };
+
+  static Parts& of(GLFWwindow* window) {
+    return *static_cast<Parts*>(glfwGetWindowUserPointer(window));
+  }
+
+  void touched() { framesLeft_ = kSettlingFrames; }
+
+  void onKey(int key, int scancode, int action, int modifiers) {
+    touched();
+    if (action == GLFW_RELEASE) return;
+    if (const auto chord = chordOf(key, scancode, modifiers)) {
+      frame_.key(*chord, action == GLFW_REPEAT);
+    }
+  }
+
+  void onDrop(int count, const char** paths) {
+    touched();
+    if (count < 1) return;
+    if (count > 1) {
+      state_.notices.add(Notice::Kind::Info,
+                         "Several files were dropped; the first one is opened.");
+    }
+    state_.perform(actions_, "open " + quotedArgument(paths[0]));
+  }
+
+  void wait() {
+    const double wake = std::min(frame_.wakeIn(), deadline_ - now());
+    if (framesLeft_ > 0) {
+      glfwPollEvents();
+    } else if (frame_.wakeIn() <= 0) {
+      glfwWaitEventsTimeout(std::max(0.0005, kFrameSeconds - passSeconds_));
+    } else if (frame_.wakeIn() < 1e8) {
+      glfwWaitEventsTimeout(std::max(0.001, wake));
+    } else {
+      glfwWaitEvents();
+    }
+  }
+
+  /// Whether anything calls for a new frame.
+  bool due() {
+    const bool woken = wokenByWorker.exchange(false, std::memory_order_relaxed);
+    if (woken) framesLeft_ = std::max(framesLeft_, 1);
+    return framesLeft_ > 0 || now() >= deadline_ - 0.001;
+  }
+
+  float wantedScale() const {
+    if (state_.preferences.uiScale > 0) return static_cast<float>(state_.preferences.uiScale);
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window_.get(), &x, &y);
+    return std::clamp(x, 0.75f, 2.5f);
+  }
+
+  void pass(double seconds) {
+    framesLeft_ = std::max(0, framesLeft_ - 1);
+    state_.update(seconds);
+    if (const float scale = wantedScale(); scale != frame_.scale()) {
+      frame_.setScale(scale);
+      drawer_.uploadFonts();
+    }
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    frame_.draw(&scene_);
+    ImGui::Render();
+    present();
+    deadline_ = now() + frame_.wakeIn();
+    pictures_.update(state_, scene_, frame_.scale());
+    answerRequests();
+    writeProbe();
+  }
+
+  void present() {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_.get(), &width, &height);
+    if (width <= 0 || height <= 0) return;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    drawer_.draw(*ImGui::GetDrawData());
+    glfwSwapBuffers(window_.get());
+  }
+
+  void answerRequests() {
+    if (state_.requests.clipboard) {
+      glfwSetClipboardString(window_.get(), state_.requests.clipboard->c_str());
+      state_.requests.clipboard.reset();
+    }
+    if (state_.requests.toggleFullScreen) toggleFullScreen();
+    state_.requests.toggleFullScreen = false;
+    const std::string model = state_.modelName();
+    const std::string title = model.empty() ? "chartflood" : model + " - chartflood";
+    if (title != title_) glfwSetWindowTitle(window_.get(), title.c_str());
+    title_ = title;
+  }
+
+  void toggleFullScreen() {
+    if (glfwGetWindowMonitor(window_.get()) != nullptr) {
+      glfwSetWindowMonitor(window_.get(), nullptr, windowed_.x, windowed_.y, windowed_.width,
+                           windowed_.height, GLFW_DONT_CARE);
+      return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (mode == nullptr) return;
+    glfwGetWindowPos(window_.get(), &windowed_.x, &windowed_.y);
+    glfwGetWindowSize(window_.get(), &windowed_.width, &windowed_.height);
+    glfwSetWindowMonitor(window_.get(), monitor, 0, 0, mode->width, mode->height,
+                         mode->refreshRate);
+  }
+
+  void rememberSize() {
+    if (glfwGetWindowMonitor(window_.get()) != nullptr) return;
+    glfwGetWindowSize(window_.get(), &state_.preferences.windowWidth,
+                      &state_.preferences.windowHeight);
+  }
+
+  /// Complete at any moment: written aside and renamed.
+  void writeProbe() {
+    if (watch_.probeFile.empty()) return;
+    const std::filesystem::path aside = watch_.probeFile.string() + ".part";
+    std::ofstream(aside) << frame_.probe().json();
+    std::error_code ignored;  // the next frame writes again
+    std::filesystem::rename(aside, watch_.probeFile, ignored);
+  }
+
+  AppState& state_;
+  const ActionRegistry& actions_;
+  WindowWatch watch_;
+  Glfw glfw_;
+  WindowHandle window_;
+  Callbacks callbacks_;
+  Imgui imgui_;
+  Frame frame_;
+  ImguiGl drawer_;
+  SceneView scene_;
+  PictureTaker pictures_;
+  std::ofstream frameLog_;
+  WindowedPlace windowed_;
+  std::string title_;
+  int framesLeft_ = kSettlingFrames;
+  double deadline_ = 0;
+  double passSeconds_ = 0;
+};
+
+Window::Parts::Callbacks::Callbacks(Parts& parts) {
+  GLFWwindow* window = parts.window_.get();
+  glfwSetWindowUserPointer(window, &parts);
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+    of(w).onKey(key, scancode, action, modifiers);
+  });
+  glfwSetDropCallback(
+      window, [](GLFWwindow* w, int count, const char** paths) { of(w).onDrop(count, paths); });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { of(w).touched(); });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { of(w).touched(); });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { of(w).touched(); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { of(w).touched(); });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { of(w).touched(); });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { of(w).touched(); });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).touched(); });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).touched(); });
+  glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { of(w).touched(); });
+}
+
+Window::Window(AppState& state, const ActionRegistry& actions, const WindowWatch& watch)
+    : parts_(std::make_unique<Parts>(state, actions, watch)) {}
+
+Window::~Window() = default;
+
+void Window::run() { parts_->run(); }
+
+}  // namespace chartflood

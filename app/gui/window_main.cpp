@@ -1,0 +1,66 @@
+#include "app/gui/window_main.h"
+
+#include <cstdlib>
+
+#include "app/host/action_registry.h"
+#include "app/host/standard_paths.h"
+#include "core/base/error.h"
+#include "core/base/log.h"
+
+namespace chartflood {
+
+namespace {
+
+std::filesystem::path fromEnvironment(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value == nullptr ? std::filesystem::path() : std::filesystem::path(value);
+}
+
+void loadPreferences(AppState& state) {
+  std::string warning;
+  state.preferences = readPreferences(configFolder(), stateFolder(), warning);
+  if (!warning.empty()) state.notices.add(Notice::Kind::Warning, warning);
+  state.panels.firstCard = state.preferences.firstCard;
+}
+
+/// The card of first steps is shown until it was once put away.
+void savePreferences(AppState& state) {
+  if (!state.panels.firstCard) state.preferences.firstCard = false;
+  try {
+    writePreferences(state.preferences, configFolder(), stateFolder());
+  } catch (const Error& error) {
+    logMessage(LogLevel::Warning, error.what());
+  }
+}
+
+void begin(AppState& state, const WindowOptions& options) {
+  state.view.render = options.render;
+  state.view.camera.up = options.up;
+  state.view.camera.orthographic = options.orthographic;
+  state.view.camera.look(StandardView::Oblique);
+  state.session().setDocument(options.document);
+  if (options.file.empty()) {
+    state.openSample(options.sample, options.triangles);
+  } else {
+    state.open(options.file);
+  }
+}
+
+}  // namespace
+
+int runWindow(const WindowOptions& options) {
+  const ActionRegistry actions = makeActionRegistry();
+  AppState state(Session::Worker::Threaded);
+  loadPreferences(state);
+  {
+    Window window(
+        state, actions,
+        {fromEnvironment("CHARTFLOOD_PROBE_FILE"), fromEnvironment("CHARTFLOOD_FRAME_LOG")});
+    begin(state, options);
+    window.run();
+  }
+  savePreferences(state);
+  return EXIT_SUCCESS;
+}
+
+}  // namespace chartflood

@@ -1,0 +1,29 @@
+#pragma once
+/// Opens the viewer on a file or a sample and runs it to its end.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "app/gui/window.h"
+#include "core/session/session.h"
+#include "render/render_settings.h"
+
+namespace chartflood {
+
+struct WindowOptions {
+  Document document;           ///< parameters and seeds to begin with
+  std::filesystem::path file;  ///< "": the sample
+  std::string sample = "rocket";
+  std::size_t triangles = 0;  ///< of the sample; 0: its own number
+  RenderSettings render;
+  UpAxis up = UpAxis::Y;
+  bool orthographic = false;
+};
+
+/// Returns the program's exit code. Reads the user's preferences and writes them at the end.
+/// The variables CHARTFLOOD_PROBE_FILE and CHARTFLOOD_FRAME_LOG name the files of WindowWatch.
+/// \throws Error when no window can be opened
+int runWindow(const WindowOptions& options);
+
+}  // namespace chartflood

@@ -1,0 +1,19 @@
+#pragma once
+/// The groups of actions, each with its keys.
+
+namespace chartflood {
+
+class ActionRegistry;
+
+/// Open, samples, recent files, quit.
+void addFileActions(ActionRegistry& registry);
+/// Parameters, presets, undo and redo.
+void addEditActions(ActionRegistry& registry);
+/// Flooding and its playback.
+void addSegmentActions(ActionRegistry& registry);
+/// Colours, overlays, camera, panels.
+void addViewActions(ActionRegistry& registry);
+/// Pictures and files made from the results.
+void addExportActions(ActionRegistry& registry);
+
+}  // namespace chartflood

@@ -1,0 +1,166 @@
+// Actions that change parameters, and undo.
+
+#include <algorithm>
+
+#include "app/host/action_registry.h"
+#include "app/host/actions.h"
+#include "app/host/app_state.h"
+#include "app/host/slider_scale.h"
+#include "core/base/error.h"
+
+namespace chartflood {
+
+namespace {
+
+std::vector<std::string> presetIds() {
+  std::vector<std::string> ids;
+  for (const Preset& preset : presetTable()) ids.emplace_back(preset.id);
+  return ids;
+}
+
+const ParameterInfo& parameterRow(const std::string& id) {
+  if (const ParameterInfo* info = findParameter(id)) return *info;
+  std::vector<std::string> ids;
+  for (const ParameterInfo& info : parameterTable()) ids.emplace_back(info.id);
+  const std::string nearest = nearestSpelling(id, ids);
+  throw UsageError("There is no parameter '" + id + "'" +
+                   (nearest.empty() ? "." : "; did you mean '" + nearest + "'?"));
+}
+
+/// "Charts: 24", as undo names the change.
+std::string changeName(const ParameterInfo& info, const Parameters& values) {
+  const ParameterValue value = parameterValue(values, info);
+  const bool number = std::holds_alternative<int>(value) || std::holds_alternative<double>(value);
+  return std::string(info.label) + ": " +
+         (number ? sliderText(info, asNumber(value)) : parameterText(value));
+}
+
+void setOption(AppState& state, const std::string& id, const std::string& text, bool dragging) {
+  const ParameterInfo& info = parameterRow(id);
+  Document document = state.document();
+  setParameterFromText(document.parameters, info, text);
+  state.changeDocument(document, changeName(info, document.parameters), id, dragging);
+}
+
+void changeAll(AppState& state, const Parameters& parameters, std::string name) {
+  Document document = state.document();
+  document.parameters = parameters;
+  state.changeDocument(document, std::move(name), "all", false);
+}
+
+void addCharts(AppState& state, int difference) {
+  const int charts = std::max(1, state.document().parameters.charts + difference);
+  setOption(state, "charts", std::to_string(charts), false);
+}
+
+/// The next number of a fixed sequence, so that a roll can be repeated.
+int rolled(int seed) {
+  return static_cast<int>((static_cast<std::uint64_t>(seed) * 48271u + 12345u) % 100000u);
+}
+
+void addParameterActions(ActionRegistry& registry) {
+  registry.add({.id = "set",
+                .title = "Set a parameter",
+                .help = "Gives a parameter a new value.",
+                .arguments = {{"option", ArgumentType::Text, "its name on the command line"},
+                              {"value", ArgumentType::Text, "the new value"},
+                              {"drag", ArgumentType::Switch, "more of this change follows", false}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  setOption(state, a.text("option"), a.text("value"), a.flag("drag", false));
+                }});
+  registry.add({.id = "reset",
+                .title = "Reset a parameter",
+                .help = "Gives a parameter its default value.",
+                .arguments = {{"option", ArgumentType::Text, "its name on the command line"}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  const ParameterInfo& info = parameterRow(a.text("option"));
+                  setOption(state, info.id, parameterText(parameterDefault(info)), false);
+                }});
+  registry.add(
+      {.id = "reset-all",
+       .title = "Reset all parameters",
+       .help = "Gives every parameter its default value.",
+       .arguments = {},
+       .refusal = [](const AppState& state) -> std::string {
+         return state.document().parameters == Parameters{}
+                    ? "All parameters have their default values."
+                    : "";
+       },
+       .run = [](AppState& state,
+                 const Arguments&) { changeAll(state, Parameters{}, "Reset all parameters"); }});
+  registry.add({.id = "preset",
+                .title = "Preset",
+                .help = "Sets the parameters for a purpose; the number of charts stays unless the "
+                        "preset names it.",
+                .arguments = {{"name", ArgumentType::Choice, "which one", true, presetIds()}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  const Preset& preset = *findPreset(a.text("name"));
+                  changeAll(state, applyPreset(state.document().parameters, preset),
+                            std::string("Preset: ") + preset.label);
+                }});
+  registry.add({.id = "more-charts",
+                .title = "One chart more",
+                .help = "Cuts the model into one more piece.",
+                .arguments = {},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments&) { addCharts(state, 1); }});
+  registry.bind("+", "more-charts");
+  registry.add({.id = "fewer-charts",
+                .title = "One chart less",
+                .help = "Cuts the model into one piece less.",
+                .arguments = {},
+                .refusal = [](const AppState& state) -> std::string {
+                  return state.document().parameters.charts <= 1 ? "One chart is the least." : "";
+                },
+                .run = [](AppState& state, const Arguments&) { addCharts(state, -1); }});
+  registry.bind("-", "fewer-charts");
+  registry.add({.id = "roll-seed",
+                .title = "Another layout",
+                .help = "Starts from seeds placed with another random number.",
+                .arguments = {},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments&) {
+                  setOption(state, "rng-seed",
+                            std::to_string(rolled(state.document().parameters.rngSeed)), false);
+                }});
+}
+
+}  // namespace
+
+void addEditActions(ActionRegistry& registry) {
+  registry.add({.id = "undo",
+                .title = "Undo",
+                .help = "Takes the last change of parameters back.",
+                .arguments = {},
+                .refusal = [](const AppState& state) -> std::string {
+                  return state.undoHistory().canUndo() ? "" : "There is nothing to undo.";
+                },
+                .run = [](AppState& state, const Arguments&) { state.undo(); }});
+  registry.bind("Ctrl+Z", "undo");
+  registry.add({.id = "redo",
+                .title = "Redo",
+                .help = "Repeats what was undone.",
+                .arguments = {},
+                .refusal = [](const AppState& state) -> std::string {
+                  return state.undoHistory().canRedo() ? "" : "There is nothing to redo.";
+                },
+                .run = [](AppState& state, const Arguments&) { state.redo(); }});
+  registry.bind("Ctrl+Shift+Z", "redo");
+  registry.bind("Ctrl+Y", "redo");
+  addParameterActions(registry);
+  registry.add({.id = "copy-command",
+                .title = "Copy as command line",
+                .help = "Copies a command line that gives the present parameters and model.",
+                .arguments = {},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments&) {
+                  state.requests.clipboard = commandLine(state);
+                  state.notices.add(Notice::Kind::Info, "The command line was copied.");
+                }});
+  registry.bind("Ctrl+Shift+C", "copy-command");
+}
+
+}  // namespace chartflood

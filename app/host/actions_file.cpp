@@ -1,0 +1,80 @@
+// Actions that bring a mesh in, and the way out.
+
+#include <system_error>
+
+#include "app/host/action_registry.h"
+#include "app/host/actions.h"
+#include "app/host/app_state.h"
+#include "core/base/error.h"
+#include "core/io/samples.h"
+
+namespace chartflood {
+
+namespace {
+
+std::vector<std::string> sampleIds() {
+  std::vector<std::string> ids;
+  for (const SampleInfo& sample : sampleTable()) ids.emplace_back(sample.id);
+  return ids;
+}
+
+bool isSample(const AppState& state) {
+  std::error_code error;
+  return state.hasMesh() && !std::filesystem::exists(state.results().mesh->input().file, error);
+}
+
+std::string reloadRefusal(const AppState& state) {
+  if (!state.hasMesh()) return "There is no model yet; open one first.";
+  if (isSample(state)) return "This model was made by the program; there is no file to read again.";
+  return "";
+}
+
+}  // namespace
+
+void addFileActions(ActionRegistry& registry) {
+  registry.add({.id = "open",
+                .title = "Open",
+                .help = "Reads a mesh file and floods it once.",
+                .arguments = {{"file", ArgumentType::Text, "OBJ, PLY, OFF, STL, glTF or GLB"}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) { state.open(a.text("file")); }});
+  registry.add({.id = "browse",
+                .title = "Open\u2026",
+                .help = "Chooses a mesh file to read. Files can also be dropped onto the window.",
+                .arguments = {},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments&) {
+                  state.panels.browse = PanelState::Browse::Open;
+                }});
+  registry.bind("Ctrl+O", "browse");
+  registry.add({.id = "sample",
+                .title = "Sample",
+                .help = "Opens a model made by the program.",
+                .arguments = {{"name", ArgumentType::Choice, "which one", true, sampleIds()},
+                              {"triangles", ArgumentType::Integer, "about how many", false}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  const long triangles = a.integer("triangles");
+                  if (triangles < 0)
+                    throw UsageError("A sample cannot have fewer than 0 triangles.");
+                  state.openSample(a.text("name"), static_cast<std::size_t>(triangles));
+                }});
+  registry.add({.id = "reload",
+                .title = "Reload",
+                .help = "Reads the present file again.",
+                .arguments = {},
+                .refusal = reloadRefusal,
+                .run = [](AppState& state, const Arguments&) {
+                  state.open(state.results().mesh->input().file);
+                }});
+  registry.bind("F5", "reload");
+  registry.add({.id = "quit",
+                .title = "Quit",
+                .help = "Closes the program.",
+                .arguments = {},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments&) { state.requests.quit = true; }});
+  registry.bind("Ctrl+Q", "quit");
+}
+
+}  // namespace chartflood

@@ -1,0 +1,341 @@
+// Actions of the eye: colours, overlays, camera, panels.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "app/host/action_registry.h"
+#include "app/host/actions.h"
+#include "app/host/app_state.h"
+#include "core/base/error.h"
+#include "render/color_map.h"
+
+namespace chartflood {
+
+namespace {
+
+std::vector<std::string> modeIds() {
+  std::vector<std::string> ids;
+  for (ColorMode mode : availableColorModes()) ids.emplace_back(colorModeInfo(mode).id);
+  return ids;
+}
+
+std::vector<std::string> colorMapIds() {
+  std::vector<std::string> ids = {"auto"};
+  for (const ColorMap& map : colorMapTable()) ids.emplace_back(map.id);
+  return ids;
+}
+
+/// An action that turns something on, off, or over.
+template <typename Place>
+void addSwitch(ActionRegistry& registry, const char* id, const char* title, const char* help,
+               const char* key, Place place) {
+  registry.add(
+      {.id = id,
+       .title = title,
+       .help = help,
+       .arguments = {{"on", ArgumentType::Switch, "left out: turns it over", false}},
+       .refusal = {},
+       .run =
+           [place](AppState& state, const Arguments& a) {
+             bool& value = place(state);
+             value = a.flag("on", !value);
+           },
+       .checked = [place](const AppState& state, const Arguments&) { return place(state); }});
+  if (*key != '\0') registry.bind(key, id);
+}
+
+void addOverlays(ActionRegistry& registry) {
+  auto overlay = [&](const char* id, const char* title, const char* help, const char* key,
+                     bool RenderSettings::*member) {
+    addSwitch(
+        registry, id, title, help,
+        key, [member](auto& state) -> auto& { return state.view.render.*member; });
+  };
+  overlay("seams", "Seams", "Lines between charts.", "S", &RenderSettings::seams);
+  overlay("edges", "Mesh edges", "The edges of all triangles.", "E", &RenderSettings::edges);
+  overlay("sharp-edges", "Sharp edges", "Edges folded more than the sharp edge angle.", "K",
+          &RenderSettings::sharpEdges);
+  overlay("seeds", "Seeds", "A ball where each chart begins.", "M", &RenderSettings::seedMarks);
+  overlay("numbers", "Chart numbers", "The number of each chart on the model.", "N",
+          &RenderSettings::numbers);
+  overlay("color-bar", "Colour bar", "What the colours mean.", "B", &RenderSettings::scalarBar);
+  overlay("smooth", "Smooth shading", "Hides the facets of smooth parts.", "",
+          &RenderSettings::smoothNormals);
+  overlay("invert-colors", "Invert the colour map", "Swaps the ends of the colour map.", "",
+          &RenderSettings::invertColorMap);
+}
+
+void addColors(ActionRegistry& registry) {
+  registry.add({.id = "color-mode",
+                .title = "Colour",
+                .help = "Chooses what the colours of the model say.",
+                .arguments = {{"mode", ArgumentType::Choice, "which one", true, modeIds()}},
+                .refusal = {},
+                .run =
+                    [](AppState& state, const Arguments& a) {
+                      state.view.render.colorMode = findColorMode(a.text("mode"))->mode;
+                    },
+                .checked =
+                    [](const AppState& state, const Arguments& a) {
+                      return colorModeInfo(state.view.render.colorMode).id == a.text("mode");
+                    }});
+  registry.bind("1", "color-mode shaded");
+  registry.bind("2", "color-mode charts");
+  registry.bind("3", "color-mode gauss");
+  registry.bind("4", "color-mode balance");
+  registry.bind("5", "color-mode flood-time");
+  registry.add({.id = "next-sub-mode",
+                .title = "Next of its kind",
+                .help = "Goes round the modes of one kind: Gauss area of all, corners, edges, "
+                        "triangles; flood time, order.",
+                .arguments = {},
+                .refusal = [](const AppState& state) -> std::string {
+                  const bool single = colorModeFamily(state.view.render.colorMode).size() < 2;
+                  return single ? "This colour mode has no others of its kind." : "";
+                },
+                .run =
+                    [](AppState& state, const Arguments&) {
+                      ColorMode& mode = state.view.render.colorMode;
+                      const auto family = colorModeFamily(mode);
+                      const auto at = std::find(family.begin(), family.end(), mode) + 1;
+                      mode = at == family.end() ? family.front() : *at;
+                    }});
+  registry.bind("Q", "next-sub-mode");
+  registry.add({.id = "colormap",
+                .title = "Colour map",
+                .help = "Chooses the colours of values; auto takes the mode's own.",
+                .arguments = {{"name", ArgumentType::Choice, "which one", true, colorMapIds()}},
+                .refusal = {},
+                .run =
+                    [](AppState& state, const Arguments& a) {
+                      const std::string name = a.text("name");
+                      state.view.render.colorMap = name == "auto" ? "" : name;
+                    },
+                .checked =
+                    [](const AppState& state, const Arguments& a) {
+                      const std::string& map = state.view.render.colorMap;
+                      return (map.empty() ? "auto" : map) == a.text("name");
+                    }});
+  registry.add({.id = "select-chart",
+                .title = "Select a chart",
+                .help = "Marks a chart; left out: none.",
+                .arguments = {{"chart", ArgumentType::Integer, "its number", false}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  const long chart = a.integer("chart", -1);
+                  const Index wanted = chart < 0 ? kNone : static_cast<Index>(chart);
+                  state.selectedChart = wanted == state.selectedChart ? kNone : wanted;
+                }});
+}
+
+/// The chart before or after the selected one, going round.
+void selectNeighbour(AppState& state, int step) {
+  const auto& stats = state.results().chartStats;
+  const auto count = stats ? static_cast<long>(stats->charts.size()) : 0L;
+  if (count == 0) return;
+  const long start = step > 0 ? -1 : 0;
+  const long now = state.selectedChart == kNone ? start : static_cast<long>(state.selectedChart);
+  state.selectedChart = static_cast<Index>((now + step + count) % count);
+}
+
+void addSelection(ActionRegistry& registry) {
+  auto refusal = [](const AppState& state) -> std::string {
+    const auto& stats = state.results().chartStats;
+    return stats && !stats->charts.empty() ? "" : "There are no charts yet.";
+  };
+  registry.add({.id = "previous-chart",
+                .title = "Previous chart",
+                .help = "Selects the chart before.",
+                .arguments = {},
+                .refusal = refusal,
+                .run = [](AppState& state, const Arguments&) { selectNeighbour(state, -1); }});
+  registry.bind("[", "previous-chart");
+  registry.add({.id = "next-chart",
+                .title = "Next chart",
+                .help = "Selects the chart after.",
+                .arguments = {},
+                .refusal = refusal,
+                .run = [](AppState& state, const Arguments&) { selectNeighbour(state, 1); }});
+  registry.bind("]", "next-chart");
+}
+
+void addCamera(ActionRegistry& registry) {
+  registry.add(
+      {.id = "frame-all",
+       .title = "Frame all",
+       .help = "Moves the camera until the whole model fills the view.",
+       .arguments = {},
+       .refusal = {},
+       .run = [](AppState& state, const Arguments&) { state.view.frameWhenLoaded = true; }});
+  registry.bind("A", "frame-all");
+  registry.bind("F", "frame-all");
+  registry.add({.id = "view",
+                .title = "Standard view",
+                .help = "Looks along an axis of the model.",
+                .arguments = {{"from",
+                               ArgumentType::Choice,
+                               "which side",
+                               true,
+                               {"front", "back", "left", "right", "top", "bottom", "oblique"}}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  state.view.camera.look(standardViewFromId(a.text("from")));
+                }});
+  const char* const kViews[][2] = {{"Kp1", "front"}, {"Ctrl+Kp1", "back"},
+                                   {"Kp3", "right"}, {"Ctrl+Kp3", "left"},
+                                   {"Kp7", "top"},   {"Ctrl+Kp7", "bottom"}};
+  for (const auto& [key, view] : kViews) registry.bind(key, std::string("view ") + view);
+  addSwitch(
+      registry, "orthographic", "Orthographic", "Parallel lines stay parallel.", "Kp5",
+      [](auto& state) -> auto& { return state.view.camera.orthographic; });
+  registry.bind("O", "orthographic");
+  registry.add({.id = "up-axis",
+                .title = "Upright axis",
+                .help = "Chooses the model's axis that stands upright.",
+                .arguments = {{"axis", ArgumentType::Choice, "which one", true, {"y", "z"}}},
+                .refusal = {},
+                .run =
+                    [](AppState& state, const Arguments& a) {
+                      state.view.camera.up = a.text("axis") == "z" ? UpAxis::Z : UpAxis::Y;
+                      state.view.camera.look(StandardView::Oblique);
+                    },
+                .checked =
+                    [](const AppState& state, const Arguments& a) {
+                      return (state.view.camera.up == UpAxis::Z) == (a.text("axis") == "z");
+                    }});
+  registry.add(
+      {.id = "navigation",
+       .title = "Mouse like",
+       .help = "Chooses which mouse buttons turn, move and zoom.",
+       .arguments =
+           {{"style", ArgumentType::Choice, "which one", true, {"simple", "blender", "maya"}}},
+       .refusal = {},
+       .run =
+           [](AppState& state, const Arguments& a) {
+             state.preferences.navigation = navigationStyleFromId(a.text("style"));
+           },
+       .checked =
+           [](const AppState& state, const Arguments& a) {
+             return navigationStyleId(state.preferences.navigation) == a.text("style");
+           }});
+}
+
+void setUiScale(AppState& state, const std::string& text) {
+  if (text == "auto") {
+    state.preferences.uiScale = 0;
+    return;
+  }
+  char* end = nullptr;
+  const double percent = std::strtod(text.c_str(), &end);
+  if (*end != '\0' || !(percent >= 75 && percent <= 250)) {
+    throw UsageError("The size of the interface '" + text +
+                     "' must be auto or 75 to 250 per cent.");
+  }
+  state.preferences.uiScale = percent / 100;
+}
+
+void addPanels(ActionRegistry& registry) {
+  auto panel = [&](const char* id, const char* title, const char* help, const char* key,
+                   bool PanelState::*member) {
+    addSwitch(
+        registry, id, title, help,
+        key, [member](auto& state) -> auto& { return state.panels.*member; });
+  };
+  panel("right-pane", "Charts and balance", "Shows or hides the right pane.", "U",
+        &PanelState::right);
+  panel("left-pane", "Parameters", "Shows or hides the left pane.", "", &PanelState::left);
+  panel("keys", "Keys", "Lists all keys.", "H", &PanelState::keys);
+  registry.bind("F1", "keys");
+  panel("log", "Log", "All messages since the start.", "", &PanelState::log);
+  panel("about", "About", "Version, method and fonts.", "", &PanelState::about);
+  panel("first-steps", "First steps", "The four keys to begin with.", "", &PanelState::firstCard);
+  registry.add({.id = "close-browser",
+                .title = "Cancel",
+                .help = "Closes the file browser.",
+                .arguments = {},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments&) {
+                  state.panels.browse = PanelState::Browse::Nothing;
+                }});
+  registry.add(
+      {.id = "hide-panels",
+       .title = "Hide panels",
+       .help = "The model alone; once more brings the panels back.",
+       .arguments = {},
+       .refusal = {},
+       .run =
+           [](AppState& state, const Arguments&) {
+             PanelState& p = state.panels;
+             const bool show = !(p.left || p.bottom);
+             p.left = p.bottom = show;
+             p.right = show && p.rightWanted;
+           },
+       .checked = [](const AppState& state,
+                     const Arguments&) { return !(state.panels.left || state.panels.bottom); }});
+  registry.bind("F10", "hide-panels");
+  registry.add(
+      {.id = "full-screen",
+       .title = "Full screen",
+       .help = "Takes the whole screen; once more goes back.",
+       .arguments = {},
+       .refusal = {},
+       .run = [](AppState& state, const Arguments&) { state.requests.toggleFullScreen = true; }});
+  registry.bind("F11", "full-screen");
+  registry.add(
+      {.id = "right-tab",
+       .title = "Tab of the right pane",
+       .help = "Brings a tab of the right pane to the front.",
+       .arguments = {{"tab", ArgumentType::Choice, "which one", true, {"charts", "balance"}}},
+       .refusal = {},
+       .run = [](AppState& state, const Arguments& a) {
+         state.panels.right = true;
+         state.panels.rightTab = a.text("tab") == "balance" ? PanelState::RightTab::Balance
+                                                            : PanelState::RightTab::Charts;
+         state.panels.selectRightTab = true;
+       }});
+  registry.add(
+      {.id = "ui-scale",
+       .title = "Size of the interface",
+       .help = "Sets the size of text and controls.",
+       .arguments = {{"percent", ArgumentType::Text, "auto or 75 to 250"}},
+       .refusal = {},
+       .run = [](AppState& state, const Arguments& a) { setUiScale(state, a.text("percent")); },
+       .checked =
+           [](const AppState& state, const Arguments& a) {
+             const long percent = std::lround(100 * state.preferences.uiScale);
+             return a.text("percent") == (percent == 0 ? "auto" : std::to_string(percent));
+           }});
+  registry.add(
+      {.id = "live",
+       .title = "Live",
+       .help = "Whether dragging a slider floods at once. Auto: when a flood is quick.",
+       .arguments = {{"when", ArgumentType::Choice, "when", true, {"auto", "on", "off"}}},
+       .refusal = {},
+       .run = [](AppState& state,
+                 const Arguments& a) { state.preferences.live = liveModeFromId(a.text("when")); },
+       .checked =
+           [](const AppState& state, const Arguments& a) {
+             return liveModeId(state.preferences.live) == a.text("when");
+           }});
+  registry.add({.id = "close-toast",
+                .title = "Close",
+                .help = "Takes a message off the view; it stays in the log.",
+                .arguments = {{"number", ArgumentType::Integer, "from the top, from 0"}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  state.notices.close(static_cast<std::size_t>(std::max(0L, a.integer("number"))));
+                }});
+}
+
+}  // namespace
+
+void addViewActions(ActionRegistry& registry) {
+  addColors(registry);
+  addSelection(registry);
+  addOverlays(registry);
+  addCamera(registry);
+  addPanels(registry);
+}
+
+}  // namespace chartflood

@@ -1,0 +1,137 @@
+#include "app/host/app_state.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/host/action_registry.h"
+#include "app/host/command.h"
+#include "core/base/error.h"
+
+namespace chartflood {
+
+namespace {
+
+/// After a pause of the program the playback goes on from where it was.
+constexpr double kLongestPlayedSeconds = 0.1;
+
+}  // namespace
+
+AppState::AppState(Session::Worker worker) : session_(worker), results_(session_.results()) {}
+
+void AppState::update(double seconds) {
+  results_ = session_.results();
+  status_ = session_.status();
+  takeNotices();
+  notices.update(seconds);
+  if (results_->meshVersion != meshVersion_) {
+    meshVersion_ = results_->meshVersion;
+    hoveredFace = selectedChart = kNone;
+    lastStop_ = StopReason::NotStopped;
+    if (std::exchange(playWhenOpened_, false)) playback.playOneFlood();
+  }
+  noticeStop();
+  const bool stopped = results_->stopReason != StopReason::NotStopped;
+  request(playback.update({results_->record, status_.busy, stopped},
+                          std::min(seconds, kLongestPlayedSeconds)));
+}
+
+bool AppState::perform(const ActionRegistry& actions, std::string_view line) {
+  try {
+    actions.run(line, *this);
+    journal_.emplace_back(line);
+    return true;
+  } catch (const Error& error) {
+    notices.add(Notice::Kind::Error, error.what());
+    return false;
+  }
+}
+
+std::string AppState::modelName() const {
+  if (!hasMesh()) return "";
+  return std::filesystem::path(results_->mesh->input().file).stem().string();
+}
+
+bool AppState::showsFinal() const {
+  const Segmentation* labels = results_->segmentation.get();
+  return labels != nullptr && labels->complete && !status_.busy && playback.atEnd() &&
+         playback.complete();
+}
+
+void AppState::changeDocument(const Document& document, std::string name, const std::string& key,
+                              bool dragging) {
+  const Document before = session_.document();
+  if (document != before) undo_.changed(before, std::move(name), key);
+  if (!dragging) undo_.close();
+  session_.setDocument(document, floodsLive(dragging));
+}
+
+bool AppState::floodsLive(bool dragging) const {
+  if (preferences.live == LiveMode::Off) return false;
+  if (!dragging || preferences.live == LiveMode::On) return true;
+  const double last = results_->timing.segment;
+  return last >= 0 && last < kLiveMilliseconds;
+}
+
+void AppState::undo() {
+  if (undo_.canUndo()) session_.setDocument(undo_.undo(session_.document()));
+}
+
+void AppState::redo() {
+  if (undo_.canRedo()) session_.setDocument(undo_.redo(session_.document()));
+}
+
+void AppState::request(const std::optional<StepRequest>& step) {
+  if (step) session_.step(step->unit, step->count);
+}
+
+void AppState::open(const std::filesystem::path& file) {
+  playWhenOpened_ = true;
+  rememberFile(preferences, file);
+  session_.open(file);
+}
+
+void AppState::openSample(const std::string& name, std::size_t triangles) {
+  playWhenOpened_ = true;
+  session_.openSample(name, triangles);
+}
+
+void AppState::takeNotices() {
+  for (Notice& notice : session_.takeNotices()) notices.add(notice.kind, std::move(notice.text));
+}
+
+void AppState::noticeStop() {
+  const StopReason reason = results_->stopReason;
+  if (std::exchange(lastStop_, reason) == reason) return;
+  std::string sentence = stopSentence(reason, results_->parameters);
+  if (!sentence.empty()) notices.add(Notice::Kind::Info, std::move(sentence));
+}
+
+std::string commandLine(const AppState& state) {
+  std::string text = "chartflood";
+  for (const ParameterInfo& info : parameterTable()) {
+    const ParameterValue value = parameterValue(state.document().parameters, info);
+    if (value == parameterDefault(info)) continue;
+    text += std::string(" --") + info.id + '=' + parameterText(value);
+  }
+  if (state.hasMesh()) text += ' ' + quotedArgument(state.results().mesh->input().file);
+  return text;
+}
+
+std::string stopSentence(StopReason reason, const Parameters& parameters) {
+  switch (reason) {
+  case StopReason::Converged:
+    return "Finished: all seeds rest.";
+  case StopReason::Cycle:
+    return "Finished: the seeds came back to a place they had before.";
+  case StopReason::MaxIterations:
+    return "Finished: " + std::to_string(parameters.maxIterations) + " rounds were made.";
+  case StopReason::NoImprovement:
+    return "Finished: no better balance for " + std::to_string(parameters.patience) + " rounds.";
+  case StopReason::NotStopped:
+  case StopReason::Cancelled:
+    break;
+  }
+  return "";
+}
+
+}  // namespace chartflood

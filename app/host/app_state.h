@@ -1,0 +1,123 @@
+#pragma once
+/// Everything the running viewer knows: the session, how it is looked at, the playback and what was
+/// said to the user. No window and no widget: the same state serves scripts and tests.
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/host/notices.h"
+#include "app/host/playback.h"
+#include "app/host/preferences.h"
+#include "app/host/undo_history.h"
+#include "app/host/view_settings.h"
+#include "core/base/index.h"
+#include "core/session/session.h"
+
+namespace chartflood {
+
+class ActionRegistry;
+
+/// Which parts of the window are open. Transient: neither saved nor undone.
+struct PanelState {
+  enum class RightTab { Charts, Balance };
+  bool left = true, right = true, bottom = true;
+  bool rightWanted = true;  ///< the window is wide enough for the right pane at first
+  RightTab rightTab = RightTab::Charts;
+  bool selectRightTab = false;  ///< the tab was chosen by an action and must be brought to front
+  enum class Browse { Nothing, Open, SaveLabels, SaveReport };
+  Browse browse = Browse::Nothing;  ///< what the file browser is open for
+  bool keys = false, log = false, about = false;
+  bool firstCard = false;
+};
+
+/// A picture to be taken by whoever owns the renderer.
+struct PictureRequest {
+  std::filesystem::path file;  ///< "": the next free name in the folder of pictures
+  int scale = 1;               ///< times the size of the 3D view
+  bool bare = false;           ///< transparent, without helpers
+};
+
+/// What only the window's owner can do; it takes these and clears them.
+struct WindowRequests {
+  bool quit = false;
+  bool toggleFullScreen = false;
+  std::optional<std::string> clipboard;  ///< text to be copied
+  std::vector<PictureRequest> pictures;
+};
+
+class AppState {
+ public:
+  explicit AppState(Session::Worker worker);
+
+  /// Takes in what the worker has done and moves the playback on by `seconds`.
+  void update(double seconds);
+
+  /// Runs one script line; a failure becomes a toast. Returns whether it worked.
+  bool perform(const ActionRegistry& actions, std::string_view line);
+  /// The lines that worked, oldest first.
+  const std::vector<std::string>& journal() const { return journal_; }
+
+  Session& session() { return session_; }
+  const Document& document() const { return session_.document(); }
+  /// As of the last update; never null.
+  const Results& results() const { return *results_; }
+  const WorkStatus& status() const { return status_; }
+  bool hasMesh() const { return results_->mesh != nullptr; }
+  /// "bunny" for /models/bunny.obj; "" without a mesh.
+  std::string modelName() const;
+
+  /// True when the view shows the finished labels rather than a part of the record.
+  bool showsFinal() const;
+
+  /// Changes parameters or seeds as an undoable step called `name`. With `dragging` further
+  /// changes under the same `key` join it, until one without.
+  void changeDocument(const Document& document, std::string name, const std::string& key,
+                      bool dragging);
+  void undo();
+  void redo();
+  const UndoHistory<Document>& undoHistory() const { return undo_; }
+
+  /// Asks the session for a step.
+  void request(const std::optional<StepRequest>& step);
+  /// Opens a file or sample; plays one flood when it is there.
+  void open(const std::filesystem::path& file);
+  void openSample(const std::string& name, std::size_t triangles);
+
+  ViewSettings view;
+  Playback playback;
+  Preferences preferences;
+  PanelState panels;
+  Notices notices;
+  WindowRequests requests;
+  Index hoveredFace = kNone;
+  Index selectedChart = kNone;
+  /// Longest flood that is repeated while a slider is dragged, milliseconds.
+  static constexpr double kLiveMilliseconds = 150;
+
+ private:
+  bool floodsLive(bool dragging) const;
+  void takeNotices();
+  void noticeStop();
+
+  Session session_;
+  std::shared_ptr<const Results> results_;
+  WorkStatus status_;
+  UndoHistory<Document> undo_;
+  std::vector<std::string> journal_;
+  std::uint64_t meshVersion_ = 0;
+  StopReason lastStop_ = StopReason::NotStopped;
+  bool playWhenOpened_ = false;
+};
+
+/// A command line that gives the present parameters and model: what differs from the defaults.
+std::string commandLine(const AppState& state);
+
+/// "Finished: no better balance for 10 rounds." for a rule that fired, "" for none.
+std::string stopSentence(StopReason reason, const Parameters& parameters);
+
+}  // namespace chartflood

@@ -1,0 +1,58 @@
+#pragma once
+/// What the program tells the user: short-lived toasts and a log that keeps everything.
+
+#include <deque>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/base/log.h"
+#include "core/session/session.h"
+
+namespace chartflood {
+
+/// A sentence over the view. Errors stay until closed.
+struct Toast {
+  Notice::Kind kind = Notice::Kind::Info;
+  std::string text;
+  double age = 0;  ///< seconds shown
+};
+
+class Notices {
+ public:
+  static constexpr std::size_t kMostToasts = 3;
+  static constexpr std::size_t kMostLines = 2000;
+  static constexpr double kToastSeconds = 5;
+
+  Notices();
+  ~Notices();
+  Notices(const Notices&) = delete;
+  Notices& operator=(const Notices&) = delete;
+
+  /// Shows a toast and writes the sentence into the log.
+  void add(Notice::Kind kind, std::string text);
+  /// Ages the toasts and takes in what was logged by any thread.
+  void update(double seconds);
+  void close(std::size_t toast);
+
+  const std::vector<Toast>& toasts() const { return toasts_; }
+  /// True while a toast waits to go away by itself.
+  bool fading() const;
+
+  struct Line {
+    LogLevel level = LogLevel::Info;
+    std::string text;
+  };
+  const std::deque<Line>& log() const { return log_; }
+
+ private:
+  void keep(Line line);
+
+  std::vector<Toast> toasts_;
+  std::deque<Line> log_;
+  std::mutex mutex_;           ///< guards arrived_
+  std::vector<Line> arrived_;  ///< logged since the last update
+  int sink_ = 0;
+};
+
+}  // namespace chartflood

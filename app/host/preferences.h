@@ -1,0 +1,50 @@
+#pragma once
+/// What one user likes, kept from run to run. Never part of a result.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace chartflood {
+
+/// When a slider's drag floods again at once.
+enum class LiveMode { Auto, On, Off };
+
+/// Which mouse buttons turn, move and zoom.
+enum class NavigationStyle { Simple, Blender, Maya };
+
+struct Preferences {
+  double uiScale = 0;  ///< 0: as the screen proposes; else 0.75 to 2.5
+  NavigationStyle navigation = NavigationStyle::Simple;
+  bool invertZoom = false;
+  LiveMode live = LiveMode::Auto;
+  bool firstCard = true;    ///< the card of first steps is still to be shown
+  int screenshotScale = 2;  ///< times the window's size: 1, 2 or 4
+  int windowWidth = 1280;   ///< screen coordinates
+  int windowHeight = 800;
+  std::vector<std::string> recentFiles;  ///< newest first, at most kMostRecent
+
+  static constexpr std::size_t kMostRecent = 10;
+
+  bool operator==(const Preferences&) const = default;
+};
+
+const char* liveModeId(LiveMode mode);
+const char* navigationStyleId(NavigationStyle style);
+LiveMode liveModeFromId(const std::string& id);
+NavigationStyle navigationStyleFromId(const std::string& id);
+
+/// Puts a file at the head of the recent ones.
+void rememberFile(Preferences& preferences, const std::filesystem::path& file);
+
+/// Reads config.json of `configFolder` and state.json of `stateFolder`; what is absent keeps its
+/// default. A value of the wrong type or range, or a broken file, is left out and named in
+/// `warning` (one sentence, "" if all was well).
+Preferences readPreferences(const std::filesystem::path& configFolder,
+                            const std::filesystem::path& stateFolder, std::string& warning);
+
+/// Writes both files, making their folders. \throws WriteError
+void writePreferences(const Preferences& preferences, const std::filesystem::path& configFolder,
+                      const std::filesystem::path& stateFolder);
+
+}  // namespace chartflood

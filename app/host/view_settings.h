@@ -1,0 +1,24 @@
+#pragma once
+/// How the model is looked at: plain values, saved with a session, never undone.
+
+#include <span>
+
+#include "render/camera.h"
+#include "render/render_settings.h"
+
+namespace chartflood {
+
+struct ViewSettings {
+  RenderSettings render;
+  Camera camera;
+  bool frameWhenLoaded = true;  ///< the camera has yet to be set up for a new model
+};
+
+/// The colour modes whose values are computed, in the order of the menu.
+std::span<const ColorMode> availableColorModes();
+
+/// The modes that share a number key with this one, itself included; the sub-choice key cycles
+/// through them.
+std::span<const ColorMode> colorModeFamily(ColorMode mode);
+
+}  // namespace chartflood

@@ -1,0 +1,30 @@
+// The program: the command line decides between batch work and the window.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/cli/program.h"
+#include "app/gui/window_main.h"
+
+namespace {
+
+int openWindow(const chartflood::Invocation& call) {
+  chartflood::WindowOptions options;
+  options.document.parameters = call.parameters;
+  options.document.seeds = call.seeds;
+  options.file = call.file;
+  options.sample = call.sample;
+  options.triangles = call.triangles;
+  options.render = call.picture.settings;
+  options.up = call.picture.camera.upIsZ ? chartflood::UpAxis::Z : chartflood::UpAxis::Y;
+  options.orthographic = call.picture.camera.orthographic;
+  return chartflood::runWindow(options);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const std::vector<std::string> words(arguments + 1, arguments + count);
+  return chartflood::runProgram(words, openWindow);
+}
