@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -62,6 +63,14 @@ struct SegmentInputs {
   std::shared_ptr<const FloodGraph> floodGraph;
 };
 
+/// A flood that is about to begin.
+struct FloodStart {
+  std::shared_ptr<const FloodRecord> record;  ///< null when none is kept
+  std::size_t iteration = 0;                  ///< number of its round
+  std::span<const Index> seeds;
+  std::span<const double> offsets;  ///< one a seed
+};
+
 /// What the methods can be told; each uses what it knows.
 struct SegmentOptions {
   std::size_t charts = 20;
@@ -74,10 +83,12 @@ struct SegmentOptions {
   std::size_t maxIterations = 60;
   std::size_t patience = 10;
   bool detectCycles = true;
-  std::size_t settle = 4;         ///< rounds without gain that end balancing with seeds at rest
+  std::size_t settle = 4;   ///< rounds without gain that end balancing with seeds at rest
   bool refineMoves = true;  ///< clean up borders by single-face moves at the end
   double cleanUp = 1000;    ///< their weight of balance
   bool record = true;       ///< keep a log of the present flood
+  /// Told of each flood as it begins, on the thread that drives the stepper.
+  std::function<void(const FloodStart&)> onFlood;
 };
 
 }  // namespace chartflood

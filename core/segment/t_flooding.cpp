@@ -90,6 +90,7 @@ class TFlooding final : public Stepper {
     phase_ = Phase::Flooding;
     stopReason_ = StopReason::NotStopped;
     moves_.reset();
+    if (options_.onFlood) options_.onFlood({record_, iteration_, seeds_, offsets_});
   }
 
  private:
@@ -151,8 +152,8 @@ class TFlooding final : public Stepper {
     for (std::size_t c = 0; c < seeds_.size(); ++c) movedSeeds_ += seeds_[c] != nextSeeds_[c];
     seeds_ = nextSeeds_;
     offsets_ = nextOffsets_;
-    restartFlood();
     iteration_ = history_.size();
+    restartFlood();
   }
 
   /// Measures the balance of a finished flood and writes it into the history.

@@ -283,7 +283,6 @@ std::vector<std::pair<const char*, ParameterValue>> printedValues(double power) 
           {"offset-damping", 0.9},
           {"area-share", 0.0},
           {"settle", 0},
-          {"settle", 0},
           {"search", std::string("literal")},
           {"start", std::string("flood")},
           {"refine", std::string("none")}};

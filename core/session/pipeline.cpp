@@ -1,0 +1,234 @@
+#include "core/session/pipeline.h"
+
+#include <chrono>
+#include <utility>
+
+#include "core/charts/chart_stats.h"
+#include "core/flood/build_flood_graph.h"
+#include "core/gauss/compute_gauss_area.h"
+#include "core/segment/registry.h"
+
+namespace chartflood {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+std::string repairsText(const Mesh& mesh) {
+  std::string text;
+  for (const Repair& repair : mesh.repairs()) {
+    if (!text.empty()) text += ' ';
+    text += repair.text;
+  }
+  return text;
+}
+
+}  // namespace
+
+void Pipeline::tell(Notice::Kind kind, std::string text) const {
+  listener_.onNotice({kind, std::move(text)});
+}
+
+void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds,
+                       Progress& progress) {
+  mesh_ = std::move(mesh);
+  ++meshVersion_;
+  timing_ = {.read = readMilliseconds};
+  stepper_.reset();
+  segmentation_.reset();
+  stats_.reset();
+  seeds_.clear();
+  offsets_.clear();
+  document_.seeds.clear();
+  toldCharts_ = 0;
+  tell(Notice::Kind::Info, "Loaded " + std::to_string(mesh_->triangleCount()) + " triangles in " +
+                               std::to_string(mesh_->componentCount()) +
+                               (mesh_->componentCount() == 1 ? " part." : " parts."));
+  if (!mesh_->repairs().empty()) tell(Notice::Kind::Warning, repairsText(*mesh_));
+  makeGaussArea(progress);
+  makeGraph(progress);
+}
+
+void Pipeline::makeGaussArea(Progress& progress) {
+  progress.beginPhase("Measuring Gauss area");
+  const Clock::time_point start = Clock::now();
+  gauss_ =
+      std::make_shared<const GaussArea>(computeGaussArea(*mesh_, document_.parameters.sharpAngle));
+  ++gaussVersion_;
+  timing_.gaussArea = millisecondsSince(start);
+  if (gauss_->total() < 1e-9 && document_.parameters.areaShare > 0) {
+    tell(Notice::Kind::Info, "This model has no curvature; balance is by surface area instead.");
+  }
+}
+
+void Pipeline::makeGraph(Progress& progress) {
+  progress.beginPhase("Preparing the flood");
+  const Clock::time_point start = Clock::now();
+  const Parameters& p = document_.parameters;
+  graph_ = std::make_shared<const FloodGraph>(
+      buildFloodGraph(*mesh_, *gauss_, {p.speedPower, p.speedEpsilon, p.areaShare}));
+  timing_.floodGraph = millisecondsSince(start);
+}
+
+bool Pipeline::finished() const {
+  return segmentation_ != nullptr && stepper_ != nullptr &&
+         stepper_->stopReason() != StopReason::NotStopped;
+}
+
+void Pipeline::reviseSeeds(const Document& before) {
+  const Parameters& now = document_.parameters;
+  if (document_.seeds != before.seeds) {
+    seeds_ = document_.seeds;
+    offsets_.clear();
+  }
+  if (now.rngSeed != before.parameters.rngSeed) seeds_ = document_.seeds;
+  if (now.charts != before.parameters.charts) {
+    const std::size_t wanted = static_cast<std::size_t>(now.charts);
+    if (wanted < seeds_.size()) seeds_.resize(wanted);  // the newest go
+    offsets_.clear();
+    toldCharts_ = 0;
+  }
+  // Offsets are Gauss areas: they mean nothing once these are measured differently.
+  if (now.sharpAngle != before.parameters.sharpAngle || seeds_.size() != offsets_.size()) {
+    offsets_.clear();
+  }
+}
+
+void Pipeline::apply(const Document& document, bool live, Progress& progress) {
+  const Document before = std::exchange(document_, document);
+  Stage stage = Stage::Refine;
+  const bool changed = firstDifference(before.parameters, document.parameters, stage);
+  if (!mesh_ || (!changed && before.seeds == document.seeds)) return;
+  const bool hadCharts = stepper_ != nullptr || segmentation_ != nullptr;
+  const bool keepFinal = finished() && before.seeds == document.seeds && stage >= Stage::Iterations;
+  reviseSeeds(before);
+  stepper_.reset();
+  if (changed && stage <= Stage::Gauss) makeGaussArea(progress);
+  if (changed && stage <= Stage::Graph) makeGraph(progress);
+  if (!hadCharts || !live) return;
+  // Where only later stages changed, the finished charts are finished again in the new way.
+  makeStepper(keepFinal ? 1 : static_cast<std::size_t>(document.parameters.maxIterations));
+  const Clock::time_point start = Clock::now();
+  stepper_->advance(keepFinal ? StepUnit::Converged : StepUnit::Flood, 1, progress);
+  timing_.segment = millisecondsSince(start);
+}
+
+void Pipeline::makeStepper(std::size_t maxIterations) {
+  const Parameters& p = document_.parameters;
+  SegmentOptions options;
+  options.charts = static_cast<std::size_t>(p.charts);
+  options.seeds = seeds_.empty() ? document_.seeds : seeds_;
+  options.offsets = offsets_;
+  options.rngSeed = static_cast<std::uint32_t>(p.rngSeed);
+  options.useOffsets = p.offsets;
+  options.offsetDamping = p.offsetDamping;
+  options.lookahead = p.lookahead;
+  options.maxIterations = maxIterations;
+  options.patience = static_cast<std::size_t>(p.patience);
+  options.detectCycles = p.detectCycles;
+  options.settle = static_cast<std::size_t>(p.settle);
+  options.refineMoves = p.refine == "moves";
+  options.cleanUp = p.cleanUp;
+  options.onFlood = [this](const FloodStart& start) { noteFlood(start); };
+  stepper_ = findSegmenter(p.method)->make({mesh_, gauss_, graph_}, options);
+  timing_.segment = 0;
+  tellChartCount();
+}
+
+void Pipeline::noteFlood(const FloodStart& start) {
+  seeds_.assign(start.seeds.begin(), start.seeds.end());
+  offsets_.assign(start.offsets.begin(), start.offsets.end());
+  listener_.onFlood(start);
+}
+
+StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress) {
+  const Clock::time_point start = Clock::now();
+  const bool over = stepper_ && finished() && segmentation_->complete && segmentation_->refined;
+  if (!stepper_ || over) {
+    progress.beginPhase("Placing seeds");
+    makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
+  }
+  const StepOutcome outcome = stepper_->advance(unit, count, progress);
+  timing_.segment += millisecondsSince(start);
+  if (outcome == StepOutcome::Finished) tellOutcome();
+  return outcome;
+}
+
+void Pipeline::restartFlood() {
+  if (stepper_) stepper_->restartFlood();
+}
+
+void Pipeline::resetSeeds() {
+  seeds_.clear();
+  offsets_.clear();
+  if (stepper_) makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
+}
+
+StepOutcome Pipeline::adopt(std::size_t iteration, Progress& progress) {
+  if (!stepper_ || iteration >= stepper_->history().size()) return StepOutcome::Advanced;
+  return stepper_->adopt(iteration, progress);
+}
+
+void Pipeline::measure() {
+  if (!stepper_) return;
+  segmentation_ = stepper_->state();
+  stats_ = std::make_shared<const ChartStats>(measureCharts(*mesh_, *segmentation_));
+}
+
+void Pipeline::report(Results& results) const {
+  results.meshVersion = meshVersion_;
+  results.gaussVersion = gaussVersion_;
+  results.mesh = mesh_;
+  results.gaussArea = gauss_;
+  results.segmentation = segmentation_;
+  results.chartStats = stats_;
+  results.stale = stale();
+  results.timing = timing_;
+  results.parameters = document_.parameters;
+  if (!stepper_) return;
+  results.history.assign(stepper_->history().begin(), stepper_->history().end());
+  results.bestIteration = stepper_->bestIteration();
+  results.stopReason = stepper_->stopReason();
+}
+
+void Pipeline::tellChartCount() {
+  const std::size_t wanted = static_cast<std::size_t>(document_.parameters.charts);
+  const std::size_t count = seeds_.size();
+  if (count == wanted || count == toldCharts_) return;
+  toldCharts_ = count;
+  const std::string number = std::to_string(count);
+  if (count < wanted) {
+    tell(Notice::Kind::Info, "Only " + number + " faces: K was set to " + number + ".");
+  } else if (mesh_->componentCount() > wanted) {
+    tell(Notice::Kind::Info,
+         std::to_string(mesh_->componentCount()) +
+             " separate parts: each gets at least one chart, so K was raised to " + number + ".");
+  }
+}
+
+void Pipeline::tellOutcome() {
+  const auto rounds = std::to_string(stepper_->history().size());
+  const auto kept =
+      "round " + std::to_string(stepper_->bestIteration() + 1) + " of " + rounds + " is kept.";
+  switch (stepper_->stopReason()) {
+  case StopReason::Converged:
+    return tell(Notice::Kind::Info, "Stopped: all seeds rest; " + kept);
+  case StopReason::Cycle:
+    return tell(Notice::Kind::Info, "Stopped: the seeds returned to an earlier place; " + kept);
+  case StopReason::MaxIterations:
+    return tell(Notice::Kind::Info, "Stopped after the most iterations allowed; " + kept);
+  case StopReason::NoImprovement:
+    return tell(Notice::Kind::Info, "Stopped: no better balance for " +
+                                        std::to_string(document_.parameters.patience) +
+                                        " rounds; " + kept);
+  case StopReason::NotStopped:
+  case StopReason::Cancelled:
+    return;
+  }
+}
+
+}  // namespace chartflood

@@ -1,0 +1,79 @@
+#pragma once
+/// The stages from mesh to charts with what each depends on: a change recomputes the first stage
+/// that it touches and those after it, and nothing else.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/model/flood_graph.h"
+#include "core/model/gauss_area.h"
+#include "core/model/mesh.h"
+#include "core/segment/segmenter.h"
+#include "core/session/parameters.h"
+#include "core/session/session.h"
+
+namespace chartflood {
+
+/// Driven by one thread. Holds the newest value of every stage.
+class Pipeline {
+ public:
+  /// Told when something new can be shown.
+  struct Listener {
+    std::function<void(const FloodStart&)> onFlood;
+    std::function<void(Notice)> onNotice;
+  };
+  explicit Pipeline(Listener listener) : listener_(std::move(listener)) {}
+
+  bool hasMesh() const { return mesh_ != nullptr; }
+  /// Replaces the mesh and computes its Gauss area; charts are gone.
+  void setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds, Progress& progress);
+
+  /// Takes new values and brings Gauss area and flood graph up to date. With `live`, when there are
+  /// charts, they are flooded once more from the present seeds.
+  void apply(const Document& document, bool live, Progress& progress);
+
+  StepOutcome step(StepUnit unit, std::size_t count, Progress& progress);
+  void restartFlood();
+  /// Forgets the present seeds: the next flood begins from the first ones.
+  void resetSeeds();
+  StepOutcome adopt(std::size_t iteration, Progress& progress);
+
+  /// Takes a picture of the present labels and measures their charts.
+  void measure();
+  /// Copies what is known into `results`, the labels and figures as last measured.
+  void report(Results& results) const;
+  /// True when charts are shown that later values have made stale.
+  bool stale() const { return segmentation_ != nullptr && stepper_ == nullptr; }
+
+ private:
+  bool finished() const;
+  void makeGaussArea(Progress& progress);
+  void makeGraph(Progress& progress);
+  /// Forgets of the present seeds what does not hold for the new values.
+  void reviseSeeds(const Document& before);
+  /// Makes a stepper that begins with the present seeds, if there are any.
+  void makeStepper(std::size_t maxIterations);
+  void noteFlood(const FloodStart& start);
+  void tell(Notice::Kind kind, std::string text) const;
+  void tellChartCount();
+  void tellOutcome();
+
+  Listener listener_;
+  Document document_;
+  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const GaussArea> gauss_;
+  std::shared_ptr<const FloodGraph> graph_;
+  std::unique_ptr<Stepper> stepper_;
+  std::shared_ptr<const Segmentation> segmentation_;  ///< last one measured
+  std::shared_ptr<const ChartStats> stats_;           ///< of segmentation_
+  std::vector<Index> seeds_;     ///< of the last flood, to go on from; empty: place anew
+  std::vector<double> offsets_;  ///< of the last flood; as many as seeds, or none
+  Timing timing_;
+  std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
+  std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;
+};
+
+}  // namespace chartflood

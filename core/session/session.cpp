@@ -1,0 +1,249 @@
+#include "core/session/session.h"
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <new>
+#include <utility>
+
+#include "core/io/read_mesh.h"
+#include "core/io/samples.h"
+#include "core/model/build_mesh.h"
+#include "core/session/job_queue.h"
+#include "core/session/pipeline.h"
+
+namespace chartflood {
+
+/// The parts behind a Session: what the caller's thread owns, what the worker owns, and between
+/// them, under one mutex, what is published.
+class Session::Engine {
+ public:
+  explicit Engine(Worker worker)
+      : pipeline_({[this](const FloodStart& start) { publishFlood(start); },
+                   [this](Notice notice) { post(std::move(notice)); }}),
+        results_(std::make_shared<const Results>()), queue_(worker == Worker::Threaded) {}
+
+  // Called from the caller's thread.
+
+  const Document& document() {
+    if (dropSeeds_.exchange(false)) document_.seeds.clear();
+    return document_;
+  }
+
+  /// Mesh from a source, on the worker; the old one stays when that throws or returns null.
+  void open(std::function<std::shared_ptr<const Mesh>(Progress&)> source) {
+    queue_.cancelAll();
+    add(JobQueue::Kind::Open, [this, source = std::move(source)](Progress& progress) {
+      const auto start = std::chrono::steady_clock::now();
+      std::shared_ptr<const Mesh> mesh = source(progress);
+      if (!mesh) {
+        post({Notice::Kind::Info, "Opening was stopped; nothing was changed."});
+        return;
+      }
+      const std::chrono::duration<double, std::milli> took =
+          std::chrono::steady_clock::now() - start;
+      pipeline_.setMesh(std::move(mesh), took.count(), progress);
+      dropSeeds_ = true;
+      {
+        std::lock_guard lock(mutex_);
+        Results fresh;
+        fresh.version = results_->version;
+        results_ = std::make_shared<const Results>(std::move(fresh));
+      }
+      publish(false);
+    });
+  }
+
+  void setDocument(const Document& document, bool live) {
+    dropSeeds_ = false;
+    document_ = document;
+    queue_.cancel(JobQueue::Kind::Step);
+    queue_.cancel(JobQueue::Kind::Apply);
+    add(JobQueue::Kind::Apply, [this, document, live](Progress& progress) {
+      pipeline_.apply(document, live, progress);
+      publish(!pipeline_.stale());
+    });
+  }
+
+  void step(StepUnit unit, std::size_t count) {
+    add(JobQueue::Kind::Step, [this, unit, count](Progress& progress) {
+      if (!requireMesh()) return;
+      // Whole rounds are taken one by one, so that each can be seen when it is done.
+      const bool untilEnd = unit == StepUnit::Converged;
+      const bool byRounds = unit != StepUnit::Face;
+      const StepUnit each = untilEnd ? StepUnit::Flood : unit;
+      std::size_t left = byRounds ? count : 1;
+      StepOutcome outcome = StepOutcome::Advanced;
+      while (outcome == StepOutcome::Advanced && (untilEnd || left > 0)) {
+        outcome = pipeline_.step(each, byRounds ? 1 : count, progress);
+        --left;
+        const bool more = outcome == StepOutcome::Advanced && (untilEnd || left > 0);
+        publish(!more);
+      }
+    });
+  }
+
+  void withCharts(std::function<void(Progress&)> change) {
+    queue_.cancel(JobQueue::Kind::Step);
+    add(JobQueue::Kind::Step, [this, change = std::move(change)](Progress& progress) {
+      if (!requireMesh()) return;
+      change(progress);
+      publish(true);
+    });
+  }
+
+  Pipeline& pipeline() { return pipeline_; }
+  void stop() { queue_.cancelAll(); }
+  void waitIdle() { queue_.waitIdle(); }
+
+  std::shared_ptr<const Results> results() const {
+    std::lock_guard lock(mutex_);
+    return results_;
+  }
+
+  WorkStatus status() const {
+    const JobQueue::Status status = queue_.status();
+    WorkStatus work;
+    work.busy = status.busy;
+    work.seconds = status.seconds;
+    if (status.progress) {
+      work.phase = status.progress->phase();
+      work.fraction = status.progress->fraction();
+    }
+    return work;
+  }
+
+  std::vector<Notice> takeNotices() {
+    std::lock_guard lock(mutex_);
+    return std::exchange(notices_, {});
+  }
+
+  void setWake(void (*wake)()) { wake_ = wake; }
+
+ private:
+  /// Adds a job whose failures become notices.
+  void add(JobQueue::Kind kind, JobQueue::Job job) {
+    queue_.add(kind, [this, job = std::move(job)](Progress& progress) {
+      try {
+        job(progress);
+      } catch (const std::bad_alloc&) {
+        post({Notice::Kind::Error, "There is not enough memory for this; nothing was changed."});
+      } catch (const std::exception& failure) {
+        post({Notice::Kind::Error, failure.what()});
+      }
+      wake();
+    });
+  }
+
+  bool requireMesh() {
+    if (pipeline_.hasMesh()) return true;
+    post({Notice::Kind::Error, "There is no model to cut: open one first."});
+    return false;
+  }
+
+  /// Makes the present state visible; with `measured`, with new labels and figures.
+  void publish(bool measured) {
+    if (measured) pipeline_.measure();
+    {
+      std::lock_guard lock(mutex_);
+      auto next = std::make_shared<Results>(*results_);
+      pipeline_.report(*next);
+      ++next->version;
+      results_ = std::move(next);
+    }
+    wake();
+  }
+
+  /// Makes the log of a flood visible before it begins to grow.
+  void publishFlood(const FloodStart& start) {
+    {
+      std::lock_guard lock(mutex_);
+      auto next = std::make_shared<Results>(*results_);
+      next->record = start.record;
+      next->recordIteration = start.iteration;
+      next->seeds.assign(start.seeds.begin(), start.seeds.end());
+      ++next->version;
+      results_ = std::move(next);
+    }
+    wake();
+  }
+
+  void post(Notice notice) {
+    {
+      std::lock_guard lock(mutex_);
+      notices_.push_back(std::move(notice));
+    }
+    wake();
+  }
+
+  void wake() const {
+    void (*const call)() = wake_;
+    if (call != nullptr) call();
+  }
+
+  Document document_;                   // the caller's
+  Pipeline pipeline_;                   // the worker's
+  std::atomic<bool> dropSeeds_{false};  ///< a new mesh came: seeds placed on the old one are void
+  std::atomic<void (*)()> wake_{nullptr};
+  mutable std::mutex mutex_;
+  std::shared_ptr<const Results> results_;
+  std::vector<Notice> notices_;
+  JobQueue queue_;  // last: its thread ends before what it uses
+};
+
+Session::Session(Worker worker) : engine_(std::make_unique<Engine>(worker)) {}
+Session::~Session() = default;
+
+void Session::open(const std::filesystem::path& file) {
+  engine_->open([file](Progress& progress) -> std::shared_ptr<const Mesh> {
+    progress.beginPhase("Reading");
+    std::shared_ptr<const InputMesh> input = readMesh(file, &progress);
+    if (!input) return nullptr;
+    progress.beginPhase("Gluing faces");
+    return buildMesh(std::move(input));
+  });
+}
+
+void Session::openSample(const std::string& name, std::size_t triangles) {
+  engine_->open([name, triangles](Progress& progress) {
+    progress.beginPhase("Making the sample");
+    return buildMesh(makeSample(name, triangles));
+  });
+}
+
+void Session::openMesh(std::shared_ptr<const Mesh> mesh) {
+  engine_->open([mesh = std::move(mesh)](Progress&) { return mesh; });
+}
+
+const Document& Session::document() const { return engine_->document(); }
+
+void Session::setDocument(const Document& document, bool live) {
+  engine_->setDocument(document, live);
+}
+
+void Session::step(StepUnit unit, std::size_t count) { engine_->step(unit, count); }
+
+void Session::stop() { engine_->stop(); }
+
+void Session::resetFlood() {
+  engine_->withCharts([engine = engine_.get()](Progress&) { engine->pipeline().restartFlood(); });
+}
+
+void Session::resetSeeds() {
+  engine_->withCharts([engine = engine_.get()](Progress&) { engine->pipeline().resetSeeds(); });
+}
+
+void Session::adoptIteration(std::size_t iteration) {
+  engine_->withCharts([engine = engine_.get(), iteration](Progress& progress) {
+    engine->pipeline().adopt(iteration, progress);
+  });
+}
+
+std::shared_ptr<const Results> Session::results() const { return engine_->results(); }
+WorkStatus Session::status() const { return engine_->status(); }
+std::vector<Notice> Session::takeNotices() { return engine_->takeNotices(); }
+void Session::setWake(void (*wake)()) { engine_->setWake(wake); }
+void Session::waitIdle() { engine_->waitIdle(); }
+
+}  // namespace chartflood
