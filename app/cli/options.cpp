@@ -44,7 +44,7 @@ void readParameters(const Tokens& tokens, Invocation& call) {
 
 void readSteps(const Tokens& tokens, Invocation& call) {
   if (tokens.has("seeds")) call.seeds = readFaces("seeds", tokens.text("seeds"));
-  if (tokens.has("steps")) call.steps = readCount("steps", tokens.text("steps"), 0, kLargestCount);
+  if (tokens.has("steps")) call.steps = readCount("steps", tokens.text("steps"), 1, kLargestCount);
   if (tokens.has("iterations")) {
     call.iterations = readCount("iterations", tokens.text("iterations"), 1, kLargestCount);
   }
