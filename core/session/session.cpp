@@ -119,7 +119,7 @@ class Session::Engine {
     return std::exchange(notices_, {});
   }
 
-  void setWake(void (*wake)()) { wake_ = wake; }
+  void setWake(void (*call)()) { wake_ = call; }
 
  private:
   /// Adds a job whose failures become notices.
