@@ -77,22 +77,25 @@ Surface surfaceOf(const InputMesh& blocks) {
   return surface;
 }
 
-/// Flips edges while that brings the four vertices around nearer to six neighbours each.
+/// Cotangent of the angle that a side's triangle has opposite to it.
+double oppositeCotangent(const Surface& surface, OpenMesh::SmartHalfedgeHandle side) {
+  const Vec3d apex = surface.point(side.next().to());
+  const Vec3d a = surface.point(side.from()) - apex, b = surface.point(side.to()) - apex;
+  return (a | b) / std::max((a % b).norm(), 1e-300);
+}
+
+/// Flips edges whose opposite angles add up to more than 180 degrees (Delaunay).
 void flipEdges(Surface& surface) {
   for (const auto edge : surface.edges()) {
-    const auto h = edge.h0();
-    const auto excess = [](auto vertex) { return static_cast<int>(vertex.valence()) - 6; };
-    const int a = excess(h.from()), b = excess(h.to());
-    const int c = excess(h.next().to()), d = excess(h.opp().next().to());
-    const auto square = [](int x) { return x * x; };
-    const int before = square(a) + square(b) + square(c) + square(d);
-    const int after = square(a - 1) + square(b - 1) + square(c + 1) + square(d + 1);
-    if (after < before && surface.is_flip_ok(edge)) surface.flip(edge);
+    const double sum =
+        oppositeCotangent(surface, edge.h0()) + oppositeCotangent(surface, edge.h1());
+    if (sum < -1e-9 && surface.is_flip_ok(edge)) surface.flip(edge);
   }
 }
 
-/// Moves every vertex towards the middle of its neighbours, along the surface.
-void spreadVertices(Surface& surface) {
+/// Moves every vertex towards the middle of its neighbours, along the surface. With `evenAreas`
+/// neighbours with large triangles around them pull harder, else all alike, which evens angles.
+void spreadVertices(Surface& surface, bool evenAreas) {
   std::vector<Vec3d> moved(surface.n_vertices());
   std::vector<double> area(surface.n_vertices(), 0.0);
   for (const auto face : surface.faces()) {
@@ -103,8 +106,7 @@ void spreadVertices(Surface& surface) {
     Vec3d middle(0, 0, 0);
     double weights = 0;
     for (const auto neighbour : vertex.vertices()) {
-      // Neighbours with large triangles around them pull harder, which makes areas equal.
-      const double weight = area[static_cast<std::size_t>(neighbour.idx())];
+      const double weight = evenAreas ? area[static_cast<std::size_t>(neighbour.idx())] : 1.0;
       middle += surface.point(neighbour) * weight;
       weights += weight;
     }
@@ -118,13 +120,6 @@ void spreadVertices(Surface& surface) {
   }
   for (const auto vertex : surface.vertices()) {
     surface.set_point(vertex, moved[static_cast<std::size_t>(vertex.idx())]);
-  }
-}
-
-void evenOut(Surface& surface, int rounds) {
-  for (int round = 0; round < rounds; ++round) {
-    if (round % 6 == 0) flipEdges(surface);
-    spreadVertices(surface);
   }
 }
 
@@ -142,9 +137,8 @@ InputMesh inputOf(const Surface& surface) {
   return mesh;
 }
 
-}  // namespace
-
-InputMesh makeDoubleTorus(double edge) {
+/// Five by three cubes without two holes.
+InputMesh blocksOf(double edge) {
   std::vector<std::array<int, 3>> cells;
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 5; ++x) {
@@ -152,17 +146,36 @@ InputMesh makeDoubleTorus(double edge) {
       if (!hole) cells.push_back({x, y, 0});
     }
   }
-  // Coarse first, because vertices that are evened out spread by one neighbour a round.
-  constexpr double kCoarse = 0.1;
-  int halvings = 0;
-  for (; edge < kCoarse; edge *= 2) ++halvings;
-  Surface surface = surfaceOf(makeBlocks(cells, edge / 0.69));
-  evenOut(surface, 120);
-  for (; halvings > 0; --halvings) {
-    OpenMesh::Subdivider::Uniform::LoopT<Surface> cutInFour;
-    cutInFour(surface, 1);
-    evenOut(surface, 12);
+  return makeBlocks(cells, edge / 0.69);
+}
+
+/// How often each triangle is cut in four: surfaces are evened out while coarse, because a vertex
+/// feels only its neighbours in each round. \param edge becomes that of the coarse surface
+int cutsFor(double& edge) {
+  constexpr double kCoarse = 0.035;
+  int cuts = 0;
+  for (; edge < kCoarse; edge *= 2) ++cuts;
+  return cuts;
+}
+
+}  // namespace
+
+std::size_t countDoubleTorus(double edge) {
+  const int cuts = cutsFor(edge);
+  return blocksOf(edge).faceCount() << (2 * cuts);
+}
+
+InputMesh makeDoubleTorus(double edge) {
+  const int cuts = cutsFor(edge);
+  Surface surface = surfaceOf(blocksOf(edge));
+  constexpr int kRounds = 60, kAngleRounds = 20;
+  for (int round = 0; round < kRounds; ++round) {
+    if (round % 3 == 0) flipEdges(surface);
+    spreadVertices(surface, round < kRounds - kAngleRounds);
   }
+  flipEdges(surface);
+  OpenMesh::Subdivider::Uniform::LoopT<Surface> cutInFour;
+  if (cuts > 0) cutInFour(surface, static_cast<std::size_t>(cuts));
   for (const auto vertex : surface.vertices()) {
     Vec3d point = surface.point(vertex);
     project(point, 4);

@@ -1,6 +1,8 @@
 #pragma once
 /// The samples' shapes, each made with edges of about a given length.
 
+#include <cstddef>
+
 #include "core/model/input_mesh.h"
 
 namespace chartflood {
@@ -13,6 +15,8 @@ InputMesh makeSphere(double edge);
 InputMesh makeTorus(double edge);
 /// Smooth surface of genus 2.
 InputMesh makeDoubleTorus(double edge);
+/// How many triangles that one has, without the time that it takes to make.
+std::size_t countDoubleTorus(double edge);
 /// Closed cylinder, radius 0.6, height 2.
 InputMesh makeCylinder(double edge);
 /// The same without its ends.

@@ -13,7 +13,23 @@ namespace chartflood {
 
 namespace {
 
+/// Makes a shape with edges of about a length.
 using Maker = InputMesh (*)(double edge);
+/// Says how many triangles that would be.
+using Counter = std::size_t (*)(double edge);
+
+template <Maker maker>
+std::size_t countByMaking(double edge) {
+  return maker(edge).faceCount();
+}
+
+struct Shape {
+  Maker make;
+  Counter count;
+};
+
+template <Maker maker>
+constexpr Shape kShape = {maker, countByMaking<maker>};
 
 constexpr std::array<SampleInfo, 13> kSamples = {{
     {"rocket", "Rocket", "Toy rocket with soft body, sharp fins, nozzle and portholes.", 40000},
@@ -31,27 +47,28 @@ constexpr std::array<SampleInfo, 13> kSamples = {{
     {"plane", "Plane", "Flat square; no Gauss area at all.", 4000},
 }};
 
-constexpr std::array<Maker, kSamples.size()> kMakers = {
-    makeRocket, makeGear,     makeKnot, makeDoubleTorus, makeTorus, makeSphere, makeCube,
-    makeLBlock, makeCylinder, makeTube, makeCone,        makeBumps, makePlane};
+/// In the order of kSamples.
+constexpr std::array<Shape, kSamples.size()> kShapes = {
+    kShape<makeRocket>,   kShape<makeGear>,   kShape<makeKnot>, {makeDoubleTorus, countDoubleTorus},
+    kShape<makeTorus>,    kShape<makeSphere>, kShape<makeCube>, kShape<makeLBlock>,
+    kShape<makeCylinder>, kShape<makeTube>,   kShape<makeCone>, kShape<makeBumps>,
+    kShape<makePlane>};
 
-double missOf(const InputMesh& mesh, double wanted) {
-  return std::abs(std::log(static_cast<double>(mesh.faceCount()) / wanted));
-}
-
-/// Finds the edge length that gives the wanted number: it falls with the square of the length,
-/// apart from rounding.
-InputMesh makeWithCount(Maker maker, double wanted) {
-  double edge = 0.2;
-  InputMesh best = maker(edge);
-  double count = static_cast<double>(best.faceCount());
-  for (int i = 0; i < 5 && missOf(best, wanted) > 0.03; ++i) {
+/// The edge length that gives the wanted number of triangles, which falls with its square apart
+/// from rounding.
+double edgeFor(const Shape& shape, double wanted) {
+  double edge = 0.2, count = static_cast<double>(shape.count(edge));
+  double bestEdge = edge, bestMiss = std::abs(std::log(count / wanted));
+  for (int i = 0; i < 6 && bestMiss > 0.03; ++i) {
     edge *= std::sqrt(count / wanted);
-    InputMesh next = maker(edge);
-    count = static_cast<double>(next.faceCount());
-    if (missOf(next, wanted) < missOf(best, wanted)) best = std::move(next);
+    count = static_cast<double>(shape.count(edge));
+    const double miss = std::abs(std::log(count / wanted));
+    if (miss < bestMiss) {
+      bestMiss = miss;
+      bestEdge = edge;
+    }
   }
-  return best;
+  return bestEdge;
 }
 
 }  // namespace
@@ -62,7 +79,7 @@ std::shared_ptr<const InputMesh> makeSample(std::string_view id, std::size_t tri
   for (std::size_t i = 0; i < kSamples.size(); ++i) {
     if (id != kSamples[i].id) continue;
     const std::size_t wanted = triangles == 0 ? kSamples[i].defaultTriangles : triangles;
-    InputMesh mesh = makeWithCount(kMakers[i], static_cast<double>(wanted));
+    InputMesh mesh = kShapes[i].make(edgeFor(kShapes[i], static_cast<double>(wanted)));
     mesh.file = std::string(id);
     return std::make_shared<const InputMesh>(std::move(mesh));
   }
