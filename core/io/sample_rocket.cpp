@@ -28,7 +28,7 @@ struct Porthole {
   double height, radius, rim, rise;
 };
 constexpr std::array<Porthole, 2> kPortholes = {
-    {{2.62, 0.2, 0.042, 0.06}, {2.02, 0.12, 0.034, 0.045}}};
+    {{2.6, 0.23, 0.05, 0.065}, {1.98, 0.14, 0.04, 0.05}}};
 
 glm::dvec2 belly(double t) { return bezier({0.34, 0}, {0.5, 0.5}, {0.58, 1.1}, {0.58, 1.7})(t); }
 

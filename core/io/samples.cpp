@@ -81,6 +81,8 @@ std::shared_ptr<const InputMesh> makeSample(std::string_view id, std::size_t tri
     const std::size_t wanted = triangles == 0 ? kSamples[i].defaultTriangles : triangles;
     InputMesh mesh = kShapes[i].make(edgeFor(kShapes[i], static_cast<double>(wanted)));
     mesh.file = std::string(id);
+    // The shapes are built around a z axis that points up; viewers take y for that.
+    for (glm::dvec3& p : mesh.positions) p = {p.x, p.z, -p.y};
     return std::make_shared<const InputMesh>(std::move(mesh));
   }
   std::string known;
