@@ -1,7 +1,7 @@
 #include "render/chart_palette.h"
 
 #include <algorithm>
-#include <limits>
+#include <iterator>
 
 #include <glm/geometric.hpp>
 
@@ -24,19 +24,82 @@ void sortUnique(std::vector<ChartPair>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-/// The least used colour that no neighbour has; the reserve, then any colour, when all are taken.
-Index chooseColor(const std::vector<bool>& taken, const std::vector<std::size_t>& uses,
-                  std::size_t usual) {
-  Index best = kNone;
-  for (std::size_t c = 0; c < usual; ++c) {
-    if (!taken[c] && (best == kNone || uses[c] < uses[best])) best = static_cast<Index>(c);
+/// Greedy colouring of a graph with a few repairs.
+class Coloring {
+ public:
+  Coloring(std::size_t chartCount, std::span<const ChartPair> neighbours, std::size_t colors,
+           std::size_t usual)
+      : color(chartCount, kNone), adjacent_(chartCount), uses_(colors, 0), usual_(usual) {
+    for (const auto& [a, b] : neighbours) {
+      adjacent_[a].push_back(b);
+      adjacent_[b].push_back(a);
+    }
   }
-  for (std::size_t c = usual; best == kNone && c < taken.size(); ++c) {
-    if (!taken[c]) best = static_cast<Index>(c);
+
+  bool clashes(Index chart, Index wanted) const {
+    return std::any_of(adjacent_[chart].begin(), adjacent_[chart].end(),
+                       [&](Index other) { return color[other] == wanted; });
   }
-  if (best != kNone) return best;
-  return static_cast<Index>(std::min_element(uses.begin(), uses.end()) - uses.begin());
-}
+  void paint(Index chart, Index wanted) {
+    if (color[chart] != kNone) --uses_[color[chart]];
+    color[chart] = wanted;
+    ++uses_[wanted];
+  }
+  void paintFree(Index chart) {
+    Index wanted = leastUsedFree(chart);
+    if (wanted == kNone) wanted = clearOne(chart);
+    if (wanted == kNone) wanted = reserve(chart);
+    paint(chart, wanted);
+  }
+
+  std::vector<Index> color;  ///< of each chart, kNone before it is painted
+
+ private:
+  /// The least used usual colour that no neighbour has, other than the chart's own; kNone if none.
+  Index leastUsedFree(Index chart) const {
+    Index best = kNone;
+    for (Index c = 0; c < usual_; ++c) {
+      if (c == color[chart] || clashes(chart, c)) continue;
+      if (best == kNone || uses_[c] < uses_[best]) best = c;
+    }
+    return best;
+  }
+  /// Frees a colour around a chart by repainting the neighbours that have it, the fewest possible;
+  /// kNone when every colour has a neighbour that cannot change.
+  Index clearOne(Index chart) {
+    std::vector<Index> fewest;
+    Index best = kNone;
+    for (Index c = 0; c < usual_; ++c) {
+      std::vector<Index> having;
+      std::copy_if(adjacent_[chart].begin(), adjacent_[chart].end(), std::back_inserter(having),
+                   [&](Index other) { return color[other] == c; });
+      const bool movable = std::all_of(having.begin(), having.end(),
+                                       [&](Index other) { return leastUsedFree(other) != kNone; });
+      if (movable && (best == kNone || having.size() < fewest.size())) {
+        best = c;
+        fewest = having;
+      }
+    }
+    // One after the other: neighbours of one another may not move to the same colour.
+    for (const Index other : fewest) {
+      const Index wanted = leastUsedFree(other);
+      if (wanted == kNone) return kNone;
+      paint(other, wanted);
+    }
+    return best;
+  }
+  /// A reserved colour, or where these clash too the least used of all.
+  Index reserve(Index chart) const {
+    for (auto c = static_cast<Index>(usual_); c < uses_.size(); ++c) {
+      if (!clashes(chart, c)) return c;
+    }
+    return static_cast<Index>(std::min_element(uses_.begin(), uses_.end()) - uses_.begin());
+  }
+
+  std::vector<std::vector<Index>> adjacent_;
+  std::vector<std::size_t> uses_;
+  std::size_t usual_;
+};
 
 }  // namespace
 
@@ -85,33 +148,17 @@ std::vector<ChartPair> nearbyPairs(std::span<const glm::dvec3> points) {
 
 std::vector<Index> colorCharts(std::size_t chartCount, std::span<const ChartPair> neighbours,
                                std::span<const Index> previous, const ChartPalette& palette) {
-  std::vector<std::vector<Index>> adjacent(chartCount);
-  for (const auto& [a, b] : neighbours) {
-    adjacent[a].push_back(b);
-    adjacent[b].push_back(a);
-  }
-  std::vector<Index> color(chartCount, kNone);
-  std::vector<std::size_t> uses(palette.colors.size(), 0);
+  const std::size_t usual = palette.colors.size() - palette.reserve;
+  Coloring coloring(chartCount, neighbours, palette.colors.size(), usual);
   // First those that may keep their colour, so that new charts give way to old ones.
   for (Index chart = 0; chart < chartCount && chart < previous.size(); ++chart) {
     const Index old = previous[chart];
-    if (old >= palette.colors.size()) continue;
-    const bool clash = std::any_of(adjacent[chart].begin(), adjacent[chart].end(),
-                                   [&](Index other) { return color[other] == old; });
-    if (clash) continue;
-    color[chart] = old;
-    ++uses[old];
+    if (old < usual && !coloring.clashes(chart, old)) coloring.paint(chart, old);
   }
   for (Index chart = 0; chart < chartCount; ++chart) {
-    if (color[chart] != kNone) continue;
-    std::vector<bool> taken(palette.colors.size(), false);
-    for (const Index other : adjacent[chart]) {
-      if (color[other] != kNone) taken[color[other]] = true;
-    }
-    color[chart] = chooseColor(taken, uses, palette.colors.size() - palette.reserve);
-    ++uses[color[chart]];
+    if (coloring.color[chart] == kNone) coloring.paintFree(chart);
   }
-  return color;
+  return coloring.color;
 }
 
 }  // namespace chartflood

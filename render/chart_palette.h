@@ -36,7 +36,8 @@ std::vector<ChartPair> nearbyPairs(std::span<const glm::dvec3> points);
 
 /// Number of the palette's colour for each chart, such that neighbours differ wherever greedy
 /// colouring finds a way. Charts keep their entry of `previous` (kNone or missing: none) unless it
-/// clashes with a neighbour of smaller number; the others take the least used free colour.
+/// clashes with a neighbour of smaller number; the others take the least used free colour. Where
+/// none is free a few neighbours are repainted before a reserved colour is taken.
 std::vector<Index> colorCharts(std::size_t chartCount, std::span<const ChartPair> neighbours,
                                std::span<const Index> previous, const ChartPalette& palette);
 

@@ -236,6 +236,7 @@ void Renderer::draw(const gl::Framebuffer& target, const Camera& camera,
   CF_CHECK(part.width == target.width() && part.height == target.height());
   const gl::FramebufferScope keep;
   const Frame frame{settings, makeEye(camera, bounds_, part)};
+  lastSettings_ = settings;
   if (mesh_) charts_->update(settings, flood_->longestTime());
   useColorMap(settings);
 

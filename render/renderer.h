@@ -92,7 +92,8 @@ class Renderer {
   void draw(const gl::Framebuffer& target, const Camera& camera, const RenderSettings& settings,
             const PicturePart& part);
 
-  /// What lies under pixel (x, y), counted from the top left, of a picture.
+  /// What lies under pixel (x, y), counted from the top left, of a picture. Charts that the last
+  /// draw() hid are seen through.
   Pick pick(const Camera& camera, int width, int height, int x, int y);
   /// Triangle in each pixel, rows from the top, kNone where there is none.
   std::vector<Index> triangleImage(const Camera& camera, int width, int height);
@@ -147,6 +148,7 @@ class Renderer {
   std::map<ColorMode, ValueLayer> values_;
   gl::TextureBuffer cornerUv_, seeds_;
   bool hasCornerUv_ = false;
+  RenderSettings lastSettings_;  // of the last picture: what is hidden there cannot be picked
   std::vector<SeedMark> seedMarks_;
   std::vector<glm::vec4> uploadedSeeds_;
 };

@@ -70,6 +70,7 @@ std::vector<float> distanceToBorder(const std::vector<Index>& chart, int width, 
 void Renderer::drawIds(const Eye& eye, int width, int height, std::vector<GLuint>& ids,
                        float* depth) {
   const gl::FramebufferScope keep;
+  charts_->update(lastSettings_, flood_->longestTime());
   const IdTarget target(width, height);
   const GLuint none[4] = {0, 0, 0, 0};
   const GLfloat farthest = 1;

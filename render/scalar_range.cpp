@@ -119,12 +119,11 @@ std::vector<ScalarTick> scalarTicks(const ScalarRange& range, int count) {
   if (range.plainEnds) return {{0, "low"}, {1, "high"}};
   const std::vector<double> list =
       range.scale == ScalarScale::Linear ? evenSteps(range, count) : candidates(range);
+  const double slack = 1e-9 * (range.max - range.min);
   const double apart = 0.8 / std::max(count, 1);
   std::vector<ScalarTick> ticks;
   for (const double value : list) {
-    if (value < range.min * (1 - 1e-9) - 1e-12 * range.max || value > range.max * (1 + 1e-9)) {
-      continue;
-    }
+    if (value < range.min - slack || value > range.max + slack) continue;
     const double place = range.place(value);
     const bool free = std::none_of(ticks.begin(), ticks.end(), [&](const ScalarTick& tick) {
       return std::abs(tick.place - place) < apart;

@@ -129,7 +129,7 @@ void main() {
   if (dry) color = uDryColor;
   if (presence < 0.75) color = mix(color, vec3(dot(color, vec3(0.3, 0.6, 0.1)) * 0.4 + 0.2), 0.75);
   if (uPlay && !dry) {
-    float age = float(uPlayhead - order) / float(uFront);
+    float age = float(uPlayhead - 1u - order) / float(uFront);
     color = mix(color, vec3(1.0, 0.98, 0.90), 0.85 * clamp(1.0 - age, 0.0, 1.0));
   }
   uint id = uint(triangle);

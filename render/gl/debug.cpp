@@ -9,8 +9,10 @@
 namespace chartflood::gl {
 
 namespace {
-void report(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void*) {
-  if (type != GL_DEBUG_TYPE_ERROR) return;
+void report(GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
+            const void*) {
+  // Shaders that do not compile are thrown as errors with their file and line.
+  if (type != GL_DEBUG_TYPE_ERROR || source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
   logMessage(LogLevel::Warning, std::string("OpenGL: ") + message);
 }
 }  // namespace

@@ -1,0 +1,148 @@
+#include <numeric>
+
+#include "tests/render/scene.h"
+
+namespace chartflood {
+namespace {
+
+class FloodPixels : public test::GlTest {
+ protected:
+  /// Takes the faces in the order of their number, those of a cube's side for one chart.
+  std::shared_ptr<FloodRecord> cubeRecord() const {
+    auto record = std::make_shared<FloodRecord>(mesh_->faceCount());
+    fill(*record, 0, mesh_->faceCount());
+    return record;
+  }
+  void fill(FloodRecord& record, std::size_t begin, std::size_t end) const {
+    const std::size_t perSide = mesh_->faceCount() / 6;
+    for (std::size_t f = begin; f < end; ++f) {
+      record.append(static_cast<Index>(f), static_cast<Index>(f / perSide),
+                    static_cast<float>(f % perSide));
+    }
+    record.publish();
+  }
+};
+
+TEST_F(FloodPixels, LaterFacesAreDryEarlierOnesHaveTheirChart) {
+  show(test::cube(6));
+  renderer_->setFlood(cubeRecord());
+  RenderSettings settings = flat(ColorMode::Charts);
+  const auto seen = seenTriangles();
+  for (const std::size_t playhead : {0u, 100u, 250u, 432u}) {
+    settings.playhead = playhead;
+    const Image image = draw(settings);
+    for (const auto& [triangle, pixel] : seen) {
+      const Rgba8 color = image.at(pixel.x, pixel.y);
+      if (triangle >= playhead) {
+        EXPECT_EQ(color, (Rgba8{0x6A, 0x6A, 0x6A, 255})) << triangle << " at " << playhead;
+      } else if (triangle + 5 < playhead) {  // the newest 1 % (5 of 432) are bright
+        test::expectColor(color, renderer_->chartColor(triangle / 72, settings));
+      } else {
+        EXPECT_GT(color[0] + color[1] + color[2],
+                  255 * (renderer_->chartColor(triangle / 72, settings).r +
+                         renderer_->chartColor(triangle / 72, settings).g +
+                         renderer_->chartColor(triangle / 72, settings).b));
+      }
+    }
+  }
+}
+
+TEST_F(FloodPixels, AGrowingRecordGivesTheSamePictureAsAFinishedOne) {
+  show(test::cube(6));
+  RenderSettings settings = flat(ColorMode::FloodOrder);
+  settings.seams = true;
+  settings.playhead = 300;
+  renderer_->setFlood(cubeRecord());
+  const Image whole = draw(settings);
+  auto growing = std::make_shared<FloodRecord>(mesh_->faceCount());
+  renderer_->setFlood(growing);
+  for (std::size_t f = 0; f < mesh_->faceCount(); f += 48) {
+    fill(*growing, f, f + 48);
+    renderer_->updateFlood();
+  }
+  EXPECT_EQ(draw(settings), whole);
+}
+
+TEST_F(FloodPixels, ScrubbingBackEqualsSteppingForward) {
+  show(test::cube(6));
+  renderer_->setFlood(cubeRecord());
+  RenderSettings settings = flat(ColorMode::Charts);
+  settings.seams = true;
+  settings.playhead = 200;
+  const Image before = draw(settings);
+  settings.playhead = 432;
+  EXPECT_NE(draw(settings), before);
+  settings.playhead = 200;
+  EXPECT_EQ(draw(settings), before);
+}
+
+TEST_F(FloodPixels, SeamsAppearWithTheirSecondFace) {
+  show(test::cube(6));
+  renderer_->setFlood(cubeRecord());
+  RenderSettings settings = flat(ColorMode::Shaded);
+  const Image plain = draw(settings);
+  settings.seams = true;
+  settings.playhead = 72;  // one side alone: no seam yet
+  const auto darkPixels = [](const Image& image) {
+    return std::accumulate(
+        image.pixels().begin(), image.pixels().end(), 0,
+        [](int sum, const Rgba8& p) { return sum + (p[0] < 40 && p[0] > 5 ? 1 : 0); });
+  };
+  EXPECT_EQ(darkPixels(draw(settings)), 0);
+  settings.playhead = 432;
+  const int all = darkPixels(draw(settings));
+  EXPECT_GT(all, 100);
+  settings.playhead = 300;
+  const int some = darkPixels(draw(settings));
+  EXPECT_LT(some, all);
+}
+
+TEST_F(FloodPixels, OrderRunsAlongTheColourMap) {
+  show(test::cube(6));
+  renderer_->setFlood(cubeRecord());
+  RenderSettings settings = flat(ColorMode::FloodOrder);
+  settings.colorMap = "grey";
+  const Image image = draw(settings);
+  for (const auto& [triangle, pixel] : seenTriangles()) {
+    const double t = triangle / 432.0;
+    const double grey = 0x1E + t * (0xF5 - 0x1E);
+    // Bands make every second twentieth a tenth darker.
+    EXPECT_LE(image.at(pixel.x, pixel.y)[0], grey + 2);
+    EXPECT_GE(image.at(pixel.x, pixel.y)[0], 0.9 * grey - 2);
+  }
+}
+
+TEST_F(FloodPixels, TimeIsScaledByItsOwnChart) {
+  show(test::cube(6));
+  renderer_->setFlood(cubeRecord());
+  RenderSettings settings = flat(ColorMode::FloodTime);
+  settings.colorMap = "grey";
+  const Image image = draw(settings);
+  for (const auto& [triangle, pixel] : seenTriangles()) {
+    const double grey = 0x1E + (triangle % 72) / 71.0 * (0xF5 - 0x1E);
+    EXPECT_LE(image.at(pixel.x, pixel.y)[0], grey + 2);
+    EXPECT_GE(image.at(pixel.x, pixel.y)[0], 0.9 * grey - 2);
+  }
+}
+
+TEST_F(FloodPixels, AllTrianglesOfAPolygonAreTakenTogether) {
+  show(test::quadCube(4));
+  auto record = std::make_shared<FloodRecord>(mesh_->faceCount());
+  for (Index f = 0; f < 48; ++f) record->append(f, 0, 0);
+  record->publish();
+  renderer_->setFlood(record);
+  RenderSettings settings = flat(ColorMode::Charts);
+  settings.playhead = 48;
+  const Image image = draw(settings);
+  int wet = 0, dry = 0;
+  for (const auto& [triangle, pixel] : seenTriangles()) {
+    const bool isDry = image.at(pixel.x, pixel.y) == Rgba8{0x6A, 0x6A, 0x6A, 255};
+    EXPECT_EQ(isDry, mesh_->faceOf(triangle) >= 48);
+    ++(isDry ? dry : wet);
+  }
+  EXPECT_GT(wet, 10);
+  EXPECT_GT(dry, 10);
+}
+
+}  // namespace
+}  // namespace chartflood

@@ -1,0 +1,89 @@
+#include "render/image.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/base/error.h"
+
+namespace chartflood {
+namespace {
+
+Image gradient(bool transparent) {
+  Image image(13, 7);
+  for (int y = 0; y < 7; ++y) {
+    for (int x = 0; x < 13; ++x) {
+      const auto alpha = static_cast<std::uint8_t>(transparent ? 20 * x : 255);
+      image.at(x, y) = {static_cast<std::uint8_t>(x * 19), static_cast<std::uint8_t>(y * 36),
+                        static_cast<std::uint8_t>(x * y), alpha};
+    }
+  }
+  return image;
+}
+
+TEST(Png, RoundTripKeepsPixelsAndTexts) {
+  const ImageTexts texts{{"Software", "chartflood"}, {"Parameters", "charts=20 K \u2265 3"}};
+  for (const bool transparent : {false, true}) {
+    const Image image = gradient(transparent);
+    ImageTexts back;
+    EXPECT_EQ(decodePng(encodePng(image, texts), "test", &back), image);
+    EXPECT_EQ(back, texts);
+  }
+}
+
+TEST(Png, EqualPicturesGiveEqualBytes) {
+  const ImageTexts texts{{"Software", "chartflood"}};
+  EXPECT_EQ(encodePng(gradient(true), texts), encodePng(gradient(true), texts));
+}
+
+TEST(Png, BrokenBytesAreRefused) {
+  const auto bytes = encodePng(gradient(true));
+  for (std::size_t length = 0; length < bytes.size(); length += 3) {
+    const std::span<const std::uint8_t> part(bytes.data(), length);
+    EXPECT_THROW(decodePng(part, "cut.png"), ReadError) << length;
+  }
+}
+
+TEST(Png, AFailedWriteLeavesTheOldFileAndNothingElse) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("chartflood-png-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder / "taken.png" / "inside");
+  EXPECT_THROW(writePng(gradient(false), folder / "taken.png"), WriteError);
+  EXPECT_THROW(writePng(gradient(false), folder / "missing" / "a.png"), WriteError);
+  writePng(gradient(false), folder / "good.png");
+  EXPECT_EQ(readPng(folder / "good.png"), gradient(false));
+  std::size_t entries = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    (void)entry;
+    ++entries;
+  }
+  EXPECT_EQ(entries, 2u);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ImageDifference, CountsPixelsBeyondTheTolerance) {
+  const Image a(4, 4, {10, 20, 30, 255});
+  Image b = a;
+  b.at(1, 2) = {10, 23, 30, 255};
+  b.at(3, 3) = {60, 20, 30, 255};
+  EXPECT_EQ(compareImages(a, a).differentPixels, 0u);
+  EXPECT_EQ(compareImages(a, b).differentPixels, 2u);
+  EXPECT_EQ(compareImages(a, b, 3).differentPixels, 1u);
+  EXPECT_EQ(compareImages(a, b).largest, 50);
+  EXPECT_NEAR(compareImages(a, b).mean, 53.0 / 64, 1e-12);
+  EXPECT_THROW(compareImages(a, Image(4, 5)), Error);
+}
+
+TEST(ShrinkImage, AveragesColourByAlpha) {
+  Image image(2, 2, {0, 0, 0, 0});
+  image.at(0, 0) = {200, 100, 50, 255};
+  const Image small = shrinkImage(image, 2);
+  // The three empty pixels take away alpha, not colour: no dark rim.
+  EXPECT_EQ(small.at(0, 0), (Rgba8{200, 100, 50, 64}));
+  EXPECT_EQ(shrinkImage(image, 1), image);
+}
+
+}  // namespace
+}  // namespace chartflood

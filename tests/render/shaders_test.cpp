@@ -1,0 +1,99 @@
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/base/error.h"
+#include "render/gl/program.h"
+#include "render/gl/shader_source.h"
+#include "tests/render/scene.h"
+
+namespace chartflood {
+namespace {
+
+using Shaders = test::GlTest;
+
+TEST(ShaderSources, EveryShaderAsksForVersion330Core) {
+  int stages = 0;
+  for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
+    if (shader.name.ends_with(".glsl")) {
+      EXPECT_EQ(shader.text.find("#version"), std::string_view::npos) << shader.name;
+      continue;
+    }
+    EXPECT_TRUE(shader.text.starts_with("#version 330 core\n")) << shader.name;
+    ++stages;
+  }
+  EXPECT_GE(stages, 12);
+}
+
+TEST_F(Shaders, EveryPairCompilesAndLinks) {
+  int pairs = 0;
+  for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
+    if (!shader.name.ends_with(".vert")) continue;
+    const std::string stem(shader.name.substr(0, shader.name.size() - 5));
+    EXPECT_NO_THROW(gl::Program(stem + ".vert", stem + ".frag")) << stem;
+    ++pairs;
+  }
+  EXPECT_GE(pairs, 6);
+}
+
+class ShaderFolder : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    folder_ =
+        std::filesystem::temp_directory_path() / ("chartflood-shaders-" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+    write("a.vert", "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n");
+    gl::setShaderFolder(folder_);
+  }
+  void TearDown() override {
+    gl::setShaderFolder({});
+    std::filesystem::remove_all(folder_);
+    GlTest::TearDown();
+  }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(ShaderFolder, ErrorsNameTheIncludedFileAndItsLine) {
+  write("part.glsl", "float one() {\n  return wrong;\n}\n");
+  write(
+      "a.frag",
+      "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = vec4(one()); }\n");
+  try {
+    const gl::Program program("a.vert", "a.frag");
+    FAIL() << "a broken shader compiled";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("part.glsl:2"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(ShaderFolder, LinesAfterAnIncludeKeepTheirNumber) {
+  write("part.glsl", "float one() {\n  return 1.0;\n}\n");
+  write("a.frag",
+        "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = wrong; }\n");
+  try {
+    const gl::Program program("a.vert", "a.frag");
+    FAIL() << "a broken shader compiled";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("a.frag:4"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(ShaderFolder, AMissingFileIsNamed) {
+  write("a.frag", "#version 330 core\n#include \"nowhere.glsl\"\nvoid main() {}\n");
+  try {
+    const gl::Program program("a.vert", "a.frag");
+    FAIL() << "a missing file was not noticed";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("nowhere.glsl"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace chartflood

@@ -1,0 +1,18 @@
+#pragma once
+/// Small meshes for the renderer's tests.
+
+#include <memory>
+
+#include "core/model/mesh.h"
+
+namespace chartflood::test {
+
+/// A cube with each side cut into n x n squares of two triangles, n x n squares after another; the
+/// sides come in the order -x, +x, -y, +y, -z, +z.
+std::shared_ptr<const Mesh> cube(int n);
+/// The same as quads: one face a square.
+std::shared_ptr<const Mesh> quadCube(int n);
+/// A cube blown up to a ball.
+std::shared_ptr<const Mesh> ball(int n);
+
+}  // namespace chartflood::test
