@@ -11,13 +11,13 @@ namespace {
 
 int openWindow(const chartflood::Invocation& call) {
   chartflood::WindowOptions options;
-  options.document.parameters = call.parameters;
-  options.document.seeds = call.seeds;
+  options.parameters = call.parameters;
+  options.seeds = call.seeds;
   options.file = call.file;
   options.sample = call.sample;
   options.triangles = call.triangles;
   options.render = call.picture.settings;
-  options.up = call.picture.camera.upIsZ ? chartflood::UpAxis::Z : chartflood::UpAxis::Y;
+  if (call.picture.camera.upIsZ) options.up = chartflood::UpAxis::Z;
   options.orthographic = call.picture.camera.orthographic;
   return chartflood::runWindow(options);
 }

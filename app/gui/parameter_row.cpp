@@ -24,7 +24,7 @@ void drawBar(const Ui& ui, const BarSlider& slider, const ImRect& box, bool hot,
     list.PushClipRect(box.Min, {x, box.Max.y}, true);
     list.AddRectFilled(box.Min, box.Max, p.accentSoft, rounding);
     list.PopClipRect();
-    list.AddRectFilled({x - 1, box.Min.y + 2}, {x + 1, box.Max.y - 2}, p.accent);
+    if (hot || active) list.AddRectFilled({x - 1, box.Min.y}, {x + 1, box.Max.y}, p.accent);
   }
   if (slider.changed) ImGui::PushFont(ui.theme.strong);
   const ImVec2 size = ImGui::CalcTextSize(slider.text.c_str());

@@ -35,10 +35,13 @@ void savePreferences(AppState& state) {
 
 void begin(AppState& state, const WindowOptions& options) {
   state.view.render = options.render;
-  state.view.camera.up = options.up;
+  state.view.upChosen = options.up.has_value();
+  state.view.camera.up = options.up.value_or(UpAxis::Y);
   state.view.camera.orthographic = options.orthographic;
-  state.view.camera.look(StandardView::Oblique);
-  state.session().setDocument(options.document);
+  state.firstSeeds = options.seeds;
+  Document document;
+  document.parameters = options.parameters;
+  state.session().setDocument(document);
   if (options.file.empty()) {
     state.openSample(options.sample, options.triangles);
   } else {

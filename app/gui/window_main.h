@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/gui/window.h"
 #include "core/session/session.h"
@@ -12,12 +14,13 @@
 namespace chartflood {
 
 struct WindowOptions {
-  Document document;           ///< parameters and seeds to begin with
+  Parameters parameters;
+  std::vector<Index> seeds;    ///< faces of the input file; empty: placed by the method
   std::filesystem::path file;  ///< "": the sample
   std::string sample = "rocket";
   std::size_t triangles = 0;  ///< of the sample; 0: its own number
   RenderSettings render;
-  UpAxis up = UpAxis::Y;
+  std::optional<UpAxis> up;  ///< nothing: Y for files, Z for samples
   bool orthographic = false;
 };
 

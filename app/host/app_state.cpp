@@ -27,11 +27,13 @@ void AppState::update(double seconds) {
     meshVersion_ = results_->meshVersion;
     hoveredFace = selectedChart = kNone;
     lastStop_ = StopReason::NotStopped;
+    view.frameWhenLoaded = true;
+    placeSeeds();
     if (std::exchange(playWhenOpened_, false)) playback.playOneFlood();
   }
   noticeStop();
   const bool stopped = results_->stopReason != StopReason::NotStopped;
-  request(playback.update({results_->record, status_.busy, stopped},
+  request(playback.update({hasMesh(), results_->record, status_.busy, stopped},
                           std::min(seconds, kLongestPlayedSeconds)));
 }
 
@@ -87,12 +89,36 @@ void AppState::request(const std::optional<StepRequest>& step) {
 void AppState::open(const std::filesystem::path& file) {
   playWhenOpened_ = true;
   rememberFile(preferences, file);
+  turnUpright(UpAxis::Y);
   session_.open(file);
 }
 
 void AppState::openSample(const std::string& name, std::size_t triangles) {
   playWhenOpened_ = true;
+  turnUpright(UpAxis::Z);
   session_.openSample(name, triangles);
+}
+
+void AppState::turnUpright(UpAxis usual) {
+  if (!view.upChosen) view.camera.up = usual;
+  view.camera.look(StandardView::Oblique);
+}
+
+void AppState::placeSeeds() {
+  if (firstSeeds.empty()) return;
+  const std::vector<Index> wanted = std::exchange(firstSeeds, {});
+  Document document = session_.document();
+  document.seeds.assign(wanted.size(), kNone);
+  const Mesh& mesh = *results_->mesh;
+  for (Index face = 0; face < mesh.faceCount(); ++face) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (mesh.inputFace(face) == wanted[i]) document.seeds[i] = face;
+    }
+  }
+  if (std::erase(document.seeds, kNone) > 0) {
+    notices.add(Notice::Kind::Warning, "Some seeds are no faces of this model and were left out.");
+  }
+  session_.setDocument(document);
 }
 
 void AppState::takeNotices() {

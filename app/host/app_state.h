@@ -94,6 +94,8 @@ class AppState {
   PanelState panels;
   Notices notices;
   WindowRequests requests;
+  /// Seeds for the next model that is opened, as faces of its file.
+  std::vector<Index> firstSeeds;
   Index hoveredFace = kNone;
   Index selectedChart = kNone;
   /// Longest flood that is repeated while a slider is dragged, milliseconds.
@@ -101,6 +103,8 @@ class AppState {
 
  private:
   bool floodsLive(bool dragging) const;
+  void turnUpright(UpAxis usual);
+  void placeSeeds();
   void takeNotices();
   void noticeStop();
 

@@ -62,7 +62,7 @@ std::optional<StepRequest> Playback::update(const Source& source, double seconds
     position_ = 0;
     following_ = !playing();
   }
-  if (!playing() || !record_) return std::nullopt;
+  if (!playing() || !source.hasMesh) return std::nullopt;
   if (following_) {  // play was pressed: a whole flood starts over, a part of one goes on
     position_ = complete() && source.stopped ? 0.0 : static_cast<double>(recorded());
     following_ = false;

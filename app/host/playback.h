@@ -35,7 +35,8 @@ class Playback {
 
   /// What the session has to offer in this moment.
   struct Source {
-    std::shared_ptr<const FloodRecord> record;  ///< null without a mesh
+    bool hasMesh = false;
+    std::shared_ptr<const FloodRecord> record;  ///< null before the first flood
     bool busy = false;                          ///< the worker runs or has work waiting
     bool stopped = false;                       ///< a stop rule has fired
   };

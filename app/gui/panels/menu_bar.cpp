@@ -85,6 +85,11 @@ void viewMenu(const Ui& ui) {
     }
     ImGui::EndMenu();
   }
+  if (ImGui::BeginMenu("Upright axis")) {
+    actionMenuItem(ui, "up-axis y", "Y");
+    actionMenuItem(ui, "up-axis z", "Z");
+    ImGui::EndMenu();
+  }
   actionMenuItem(ui, "orthographic");
   if (ImGui::BeginMenu("Mouse like")) {
     actionMenuItem(ui, "navigation simple", "Simple: left turns, middle moves, wheel zooms");

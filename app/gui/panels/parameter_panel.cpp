@@ -34,8 +34,11 @@ void presetRow(const Ui& ui) {
   } else {
     tooltip(ui, "preset", "Preset", "Parameters for a purpose. \"Paper\" has the printed values.");
   }
+  if (values == Parameters{}) return;
   ImGui::SameLine(0, ui.px(4));
-  if (values != Parameters{}) iconButton(ui, Icon::Reset, "reset-all", {side, side});
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  iconButton(ui, Icon::Reset, "reset-all", {side, side});
+  ImGui::PopStyleColor();
 }
 
 void liveRow(const Ui& ui) {
