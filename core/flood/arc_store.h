@@ -32,10 +32,10 @@ class ArcStore {
     }
   }
 
-  float gain(Index face, Index chart) const {
-    float sum = graph_.gain[face];
+  double gain(Index face, Index chart) const {
+    double sum = static_cast<double>(graph_.gain[face]);
     for (const FloodArc& arc : arcs(face)) {
-      if (label_[arc.face] == chart) sum += arc.edgeGain;
+      if (label_[arc.face] == chart) sum += static_cast<double>(arc.edgeGain);
     }
     for (Index i = graph_.cornerBegin[face]; i < graph_.cornerBegin[face + 1]; ++i) {
       sum += corners_.gain(graph_.corners[i].corner, graph_.corners[i].times, chart);

@@ -19,10 +19,10 @@ class CornerState {
     chart_.assign(left_.size(), kUntouched);
   }
   /// What `chart` gains at `corner` by a face that touches it `times` times.
-  float gain(Index corner, Index times, Index chart) const {
-    if (left_[corner] != times) return 0.0f;
-    return chart_[corner] == chart || chart_[corner] == kUntouched ? graph_->cornerGain[corner]
-                                                                   : 0.0f;
+  double gain(Index corner, Index times, Index chart) const {
+    if (left_[corner] != times) return 0;
+    const bool alone = chart_[corner] == chart || chart_[corner] == kUntouched;
+    return alone ? static_cast<double>(graph_->cornerGain[corner]) : 0;
   }
   void take(Index corner, Index times, Index chart) {
     left_[corner] -= times;

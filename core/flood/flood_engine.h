@@ -73,9 +73,9 @@ class FloodEngine final : public Flood {
   static constexpr std::size_t kBurst = 2048;
 
   struct Chart {
-    MinHeap heap;        ///< faces at its border by local time (the secondary heap)
-    double balance = 0;  ///< gains so far plus offset
-    float nextGain = 0;  ///< gain of the heap's top, for the key and for its taking
+    MinHeap heap;         ///< faces at its border by local time (the secondary heap)
+    double balance = 0;   ///< gains so far plus offset
+    double nextGain = 0;  ///< gain of the heap's top, for the key and for its taking
   };
 
   /// Takes one face; false when the last one was taken before.
@@ -83,7 +83,7 @@ class FloodEngine final : public Flood {
     if (nextSeed_ < seeds_.size()) {
       const Index chart = nextSeed_++;
       CF_CHECK(store_.isFree(seeds_[chart]));
-      charts_[chart].balance += static_cast<double>(store_.gain(seeds_[chart], chart));
+      charts_[chart].balance += store_.gain(seeds_[chart], chart);
       take(seeds_[chart], chart, 0.0f, false);
       if (nextSeed_ == seeds_.size()) {
         for (Index c = 0; c < charts_.size(); ++c) rank(c);
@@ -95,7 +95,7 @@ class FloodEngine final : public Flood {
     Chart& growing = charts_[chart];
     const TimedFace top = growing.heap.top();
     ++counts_.pops;
-    growing.balance += static_cast<double>(growing.nextGain);
+    growing.balance += growing.nextGain;
     take(faceOf(top), chart, timeOf(top), true);
     rank(chart);
     done_ = !findNext();
@@ -136,7 +136,7 @@ class FloodEngine final : public Flood {
     }
     const Index face = faceOf(c.heap.top());
     c.nextGain = store_.gain(face, chart);
-    queue_.setKey(chart, lookahead_ ? c.balance + static_cast<double>(c.nextGain) : c.balance);
+    queue_.setKey(chart, lookahead_ ? c.balance + c.nextGain : c.balance);
     // It will be this chart's turn again after about one take of every other chart: time enough
     // for the memory to bring what that take touches.
     store_.prefetchNeighbours(face);

@@ -54,13 +54,14 @@ class TriangleStore {
   }
 
   /// Gauss area (plus eta times area) that `chart` gains by the face (Delta A_G of section 3.3).
-  float gain(Index face, Index chart) const {
+  /// Few single-precision terms added in double: exact in any order.
+  double gain(Index face, Index chart) const {
     const FloodFace& record = graph_.faces[face];
-    if (record.extra == 0) return record.gain;
+    if (record.extra == 0) return static_cast<double>(record.gain);
     const FloodExtra& extra = graph_.extras[record.extra];
-    float sum = record.gain;
+    double sum = static_cast<double>(record.gain);
     for (int k = 0; k < 3; ++k) {
-      if (words_[face].across[k] == chart) sum += extra.edge[k];
+      if (words_[face].across[k] == chart) sum += static_cast<double>(extra.edge[k]);
       if (extra.corner[k] != kNone) sum += corners_.gain(extra.corner[k], 1, chart);
     }
     return sum;

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/io/sample_shapes.h"
@@ -93,6 +94,31 @@ class Geodesic {
   std::map<Key, Index> numbers_;
 };
 
+/// Rows of vertices straight up from a ring to the same ring at another height, or to a tip when
+/// `radius` is 0. All edges along the rulings lie in the surface, so that its facets bend around
+/// these only, as the surface itself does: staggered rows would crumple it.
+Row ruleUpTo(SampleSurface& surface, const Row& ring, double radius, double height) {
+  const glm::dvec3 first = surface.at(ring.front());
+  const double below = std::hypot(first.x, first.y);
+  const auto above = [&](Index vertex) {
+    const glm::dvec3& p = surface.at(vertex);
+    return glm::dvec3(p.x * radius / below, p.y * radius / below, height);
+  };
+  const std::size_t rows = surface.edgesFor(std::hypot(height - first.z, radius - below));
+  Row lower = ring;
+  for (std::size_t i = 1; i <= rows; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(rows);
+    Row upper;
+    const bool tip = i == rows && radius == 0;
+    for (std::size_t k = 0; k < (tip ? 1 : ring.size()); ++k) {
+      upper.push_back(surface.add(glm::mix(surface.at(ring[k]), above(ring[k]), t)));
+    }
+    surface.zipRings(lower, upper);
+    lower = std::move(upper);
+  }
+  return lower;
+}
+
 }  // namespace
 
 InputMesh makeSphere(double edge) {
@@ -134,20 +160,20 @@ InputMesh makeCylinder(double edge) {
   SampleSurface surface(edge);
   Row row = surface.ring(0, -1, false);
   row = surface.revolve(row, straight({0, -1}, {0.6, -1}));
-  row = surface.revolve(row, straight({0.6, -1}, {0.6, 1}));
+  row = ruleUpTo(surface, row, 0.6, 1);
   surface.revolve(row, straight({0.6, 1}, {0, 1}));
   return surface.take();
 }
 
 InputMesh makeTube(double edge) {
   SampleSurface surface(edge);
-  surface.revolve(surface.ring(0.6, -1, false), straight({0.6, -1}, {0.6, 1}));
+  ruleUpTo(surface, surface.ring(0.6, -1, false), 0.6, 1);
   return surface.take();
 }
 
 InputMesh makeCone(double edge) {
   SampleSurface surface(edge);
-  surface.revolve(surface.ring(1, 0, false), straight({1, 0}, {0, 2}));
+  ruleUpTo(surface, surface.ring(1, 0, false), 0, 2);
   return surface.take();
 }
 

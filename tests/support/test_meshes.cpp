@@ -1,0 +1,66 @@
+#include "tests/support/test_meshes.h"
+
+#include <filesystem>
+
+#include "core/io/read_mesh.h"
+#include "core/io/samples.h"
+#include "core/model/build_mesh.h"
+
+namespace chartflood::test {
+
+std::shared_ptr<const Mesh> rebuild(InputMesh input) {
+  return buildMesh(std::make_shared<const InputMesh>(std::move(input)));
+}
+
+std::shared_ptr<const Mesh> meshOf(std::vector<glm::dvec3> positions, const Polygons& faces) {
+  InputMesh input;
+  input.file = "test";
+  input.positions = std::move(positions);
+  input.faceStart.push_back(0);
+  for (const auto& face : faces) {
+    input.corners.insert(input.corners.end(), face.begin(), face.end());
+    input.faceStart.push_back(input.corners.size());
+  }
+  return rebuild(std::move(input));
+}
+
+std::shared_ptr<const Mesh> sampleMesh(const std::string& id, std::size_t triangles) {
+  return buildMesh(makeSample(id, triangles));
+}
+
+std::shared_ptr<const Mesh> realMesh(const std::string& file) {
+  const std::filesystem::path path = std::filesystem::path(CHARTFLOOD_MESHES) / file;
+  if (!std::filesystem::exists(path)) return nullptr;
+  return buildMesh(readMesh(path));
+}
+
+std::shared_ptr<const Mesh> quadCube() {
+  std::vector<glm::dvec3> p;
+  for (int i = 0; i < 8; ++i) p.emplace_back(i / 4, i / 2 % 2, i % 2);
+  return meshOf(
+      p, {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}});
+}
+
+std::shared_ptr<const Mesh> grid(Index n, bool triangles) {
+  std::vector<glm::dvec3> p;
+  Polygons faces;
+  for (Index y = 0; y <= n; ++y) {
+    for (Index x = 0; x <= n; ++x) p.emplace_back(x, y, 0);
+  }
+  for (Index y = 0; y < n; ++y) {
+    for (Index x = 0; x < n; ++x) {
+      const Index a = y * (n + 1) + x, b = a + 1, c = b + n + 1, d = a + n + 1;
+      if (triangles) {
+        faces.push_back({a, b, c});
+        faces.push_back({a, c, d});
+      } else {
+        faces.push_back({a, b, c, d});
+      }
+    }
+  }
+  return meshOf(p, faces);
+}
+
+InputMesh copyInput(const Mesh& mesh) { return mesh.input(); }
+
+}  // namespace chartflood::test

@@ -1,0 +1,112 @@
+// Border clean-up keeps topology and lowers its energy: core/segment/border_moves.
+
+#include <gtest/gtest.h>
+
+#include "core/charts/chart_stats.h"
+#include "core/flood/build_flood_graph.h"
+#include "core/gauss/compute_gauss_area.h"
+#include "core/segment/balance.h"
+#include "core/segment/border_moves.h"
+#include "core/segment/chart_areas.h"
+#include "core/segment/t_flooding.h"
+#include "tests/support/segmentation_checks.h"
+#include "tests/support/test_meshes.h"
+
+namespace chartflood {
+namespace {
+
+struct Flooded {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const GaussArea> gauss;
+  std::vector<double> face;
+  Segmentation state;
+
+  Flooded(std::shared_ptr<const Mesh> m, std::size_t charts) : mesh(std::move(m)) {
+    gauss = std::make_shared<GaussArea>(computeGaussArea(*mesh, 45));
+    face = faceGaussArea(*mesh, *gauss);
+    SegmentOptions options;
+    options.charts = charts;
+    const auto graph = std::make_shared<FloodGraph>(buildFloodGraph(*mesh, *gauss, {}));
+    const auto stepper = makeTFlooding({mesh, gauss, graph}, options);
+    Progress progress;
+    stepper->advance(StepUnit::Flood, 5, progress);
+    state = *stepper->state();
+  }
+  Segmentation relabelled(std::span<const Index> label) const {
+    Segmentation s = state;
+    s.label.assign(label.begin(), label.end());
+    s.areas = chartAreas(*mesh, *gauss, face, s.label, s.chartCount);
+    return s;
+  }
+};
+
+class MovesOn : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Samples, MovesOn,
+                         testing::Values("rocket", "torus", "double-torus", "tube", "bumps"));
+
+TEST_P(MovesOn, TopologyStaysAndEnergyFalls) {
+  const Flooded f(test::sampleMesh(GetParam(), 6000), 9);
+  const ChartStats before = measureCharts(*f.mesh, f.state);
+  for (const double weight : {0.0, 1000.0, 1e5}) {
+    BorderMoves moves(*f.mesh, *f.gauss, f.face, f.state.label, f.state.seeds, {.weight = weight});
+    const double start = moves.energy();
+    Progress progress;
+    EXPECT_TRUE(moves.run(progress));
+    EXPECT_LE(moves.energy(), start);
+    EXPECT_GT(moves.moves(), 0u);
+    const Segmentation after = f.relabelled(moves.labels());
+    test::expectValid(*f.mesh, *f.gauss, after);
+    const ChartStats stats = measureCharts(*f.mesh, after);
+    for (std::size_t c = 0; c < stats.charts.size(); ++c) {
+      EXPECT_EQ(stats.charts[c].euler, before.charts[c].euler) << "chart " << c;
+      EXPECT_EQ(stats.charts[c].boundaryLoops, before.charts[c].boundaryLoops) << "chart " << c;
+    }
+    if (weight == 0) {
+      EXPECT_LT(stats.seamLength, before.seamLength);
+    }
+    // The running sums must agree with a fresh count.
+    BorderMoves fresh(*f.mesh, *f.gauss, f.face, after.label, after.seeds, {.weight = weight});
+    EXPECT_NEAR(fresh.energy(), moves.energy(), 1e-6 * std::max(1.0, start));
+  }
+}
+
+TEST(BorderMoves, LargeWeightEvensOut) {
+  const Flooded f(test::sampleMesh("bumps", 12000), 12);
+  const auto spread = [&](double weight) {
+    BorderMoves moves(*f.mesh, *f.gauss, f.face, f.state.label, f.state.seeds, {.weight = weight});
+    Progress progress;
+    moves.run(progress);
+    return balanceOf(f.relabelled(moves.labels()).areas.gaussArea).stdOverMean();
+  };
+  EXPECT_LT(spread(1e5), 0.5 * spread(0));
+}
+
+TEST(BorderMoves, CancelledRunsGoOn) {
+  const Flooded f(test::sampleMesh("bumps", 60000), 30);
+  BorderMoves whole(*f.mesh, *f.gauss, f.face, f.state.label, f.state.seeds, {});
+  Progress progress;
+  whole.run(progress);
+  BorderMoves stopped(*f.mesh, *f.gauss, f.face, f.state.label, f.state.seeds, {});
+  std::size_t stops = 0;
+  for (bool done = false; !done; ++stops) {
+    Progress once;
+    once.cancel();
+    done = stopped.run(once);
+  }
+  EXPECT_GT(stops, 1u);
+  EXPECT_TRUE(std::equal(whole.labels().begin(), whole.labels().end(), stopped.labels().begin()));
+}
+
+TEST(BorderMoves, WorksOnPolygons) {
+  const auto mesh = test::grid(40, false);
+  const Flooded f(mesh, 5);
+  BorderMoves moves(*f.mesh, *f.gauss, f.face, f.state.label, f.state.seeds, {.weight = 0});
+  const double start = moves.energy();
+  Progress progress;
+  moves.run(progress);
+  EXPECT_LE(moves.energy(), start);
+  test::expectValid(*f.mesh, *f.gauss, f.relabelled(moves.labels()));
+}
+
+}  // namespace
+}  // namespace chartflood
