@@ -94,8 +94,7 @@ std::string sampleList() {
 std::string colorMapList() {
   std::string text;
   for (const ColorMap& map : colorMapTable()) {
-    text += formatted("%-14s %s%s%s\n", map.id, map.label, map.diverging ? ", diverging" : "",
-                      map.colorBlindSafe ? "" : ", not colour-blind safe");
+    text += formatted("%-14s %s%s\n", map.id, map.label, map.diverging ? ", diverging" : "");
   }
   return text;
 }

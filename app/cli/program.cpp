@@ -1,5 +1,6 @@
 #include "app/cli/program.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -73,7 +74,9 @@ int fail(int code, const char* sentence) {
 int runProgram(std::span<const std::string> words, const WindowRunner& openWindow) {
   try {
     const Invocation call = readOptions(words);
-    const ErrorStreamLog log(call.verbose);
+    // --info lists repairs itself.
+    const bool listsRepairs = call.task == Invocation::Task::Info;
+    const ErrorStreamLog log(listsRepairs ? std::max(call.verbose, LogLevel::Error) : call.verbose);
     setThreadCount(call.threads);
     return run(call, openWindow);
   } catch (const UsageError& error) {

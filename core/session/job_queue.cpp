@@ -50,7 +50,7 @@ void JobQueue::cancel(Kind kind) {
 
 void JobQueue::cancelAll() {
   std::lock_guard lock(mutex_);
-  waiting_.clear();
+  std::erase_if(waiting_, [](const Entry& entry) { return entry.kind != Kind::Apply; });
   if (running_) running_->cancel();
 }
 

@@ -29,6 +29,8 @@ class JobQueue {
   void add(Kind kind, Job job);
   /// Cancels the running job and drops waiting ones, if their kind is `kind`.
   void cancel(Kind kind);
+  /// Cancels the running job and drops waiting ones. New values (Apply) still wait: whoever gave
+  /// them goes on to count on them.
   void cancelAll();
   /// Blocks until nothing runs or waits.
   void waitIdle();

@@ -202,9 +202,9 @@ void Pipeline::tellChartCount() {
   toldCharts_ = count;
   const std::string number = std::to_string(count);
   if (count < wanted) {
-    tell(Notice::Kind::Info, "Only " + number + " faces: K was set to " + number + ".");
+    tell(Notice::Kind::Warning, "Only " + number + " faces: K was set to " + number + ".");
   } else if (mesh_->componentCount() > wanted) {
-    tell(Notice::Kind::Info,
+    tell(Notice::Kind::Warning,
          std::to_string(mesh_->componentCount()) +
              " separate parts: each gets at least one chart, so K was raised to " + number + ".");
   }

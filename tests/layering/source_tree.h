@@ -1,0 +1,29 @@
+#pragma once
+/// The files of the checkout, for tests that look at the sources themselves.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace chartflood {
+
+struct SourceFile {
+  std::string path;  ///< from the root, with '/'
+  std::string text;
+};
+
+/// Root of the checkout.
+std::filesystem::path sourceRoot();
+
+/// Files below a folder of the checkout (or that one file), in the order of their paths. Without
+/// generated files, pictures and hidden folders.
+std::vector<SourceFile> sourceFiles(const std::string& folder);
+
+/// One `#include` line.
+struct Include {
+  std::string name;
+  bool quoted = false;  ///< "name" rather than <name>
+};
+std::vector<Include> includesOf(const SourceFile& file);
+
+}  // namespace chartflood
