@@ -14,13 +14,14 @@ namespace chartflood {
 
 namespace {
 
-// Numbers of surface.frag.
+// Values of FILL in surface.frag.
 enum Fill { kPlain, kCharts, kTriangleValue, kChartValue, kFloodTime, kFloodOrder, kChecker };
 
 constexpr glm::vec3 kClay(0.800f, 0.790f, 0.770f);
 constexpr glm::vec3 kCalm(0.560f, 0.565f, 0.575f);  // the ground of discs and lines
 constexpr glm::vec3 kDry(0.4157f);                  // 6A6A6A
-constexpr float kFrontShare = 0.01f;                // of all faces are bright behind the playhead
+constexpr std::size_t kDense = 100'000;  // triangles from which light at their corners is enough
+constexpr float kFrontShare = 0.01f;     // of all faces are bright behind the playhead
 
 bool isDistortion(ColorMode mode) {
   return mode == ColorMode::Stretch || mode == ColorMode::AreaDistortion ||
@@ -55,9 +56,8 @@ ScalarRange distortionRange(ColorMode mode, std::span<const float> values) {
 
 Renderer::Renderer()
     : backgroundProgram_("background.vert", "background.frag"),
-      surfaceProgram_("surface.vert", "surface.frag"), lineProgram_("lines.vert", "lines.frag"),
-      pointProgram_("points.vert", "points.frag"), idProgram_("ids.vert", "ids.frag"),
-      emptyVertexArray_(gl::VertexArray::create()) {
+      lineProgram_("lines.vert", "lines.frag"), pointProgram_("points.vert", "points.frag"),
+      idProgram_("ids.vert", "ids.frag"), emptyVertexArray_(gl::VertexArray::create()) {
   seeds_.upload<glm::vec4>(GL_RGBA32F, {});
   cornerUv_.upload<glm::vec2>(GL_RG32F, {});
 }
@@ -280,61 +280,74 @@ void Renderer::drawBackground(const Frame& frame) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Renderer::setFill(const Frame& frame) {
-  const RenderSettings& settings = frame.settings;
-  Fill fill = kPlain;
-  glm::vec3 plain = kClay;
-  // Every sampler needs an array of its kind bound, used or not.
-  seeds_.bind(units::kValues);
+int Renderer::fillNumber(const RenderSettings& settings) const {
   switch (canShow(settings.colorMode) ? settings.colorMode : ColorMode::Shaded) {
   case ColorMode::Shaded:
-    break;
-  case ColorMode::Charts:
-    fill = kCharts;
-    break;
   case ColorMode::GaussVertex:
   case ColorMode::GaussEdge:
-    plain = kCalm;
-    break;
-  case ColorMode::GaussFace:
-  case ColorMode::Gauss:
-    fill = kTriangleValue;
-    gauss_->bindFaceValues(units::kValues);
-    break;
+    return kPlain;
+  case ColorMode::Charts:
+    return kCharts;
   case ColorMode::Balance:
-    fill = kChartValue;
-    break;
+    return kChartValue;
   case ColorMode::FloodTime:
-    fill = kFloodTime;
-    break;
+    return kFloodTime;
   case ColorMode::FloodOrder:
-    fill = kFloodOrder;
-    break;
+    return kFloodOrder;
   case ColorMode::Checkerboard:
-    fill = kChecker;
-    break;
+    return kChecker;
   default:
-    fill = kTriangleValue;
-    values_.at(settings.colorMode).values.bind(units::kValues);
-    break;
+    return kTriangleValue;
   }
-  surfaceProgram_.set("uFill", static_cast<int>(fill));
-  surfaceProgram_.set("uPlainColor", plain);
-  surfaceProgram_.set("uDryColor", kDry);
+}
+
+gl::Program& Renderer::surfaceProgram(const RenderSettings& settings) {
+  const int fill = fillNumber(settings);
+  std::vector<std::string> macros{"FILL " + std::to_string(fill)};
+  if (settings.playhead || fill == kFloodTime || fill == kFloodOrder) macros.push_back("FLOOD");
+  if (settings.playhead) macros.push_back("PLAY");
+  if (!settings.hiddenCharts.empty() || !settings.selectedCharts.empty()) {
+    macros.push_back("STATES");
+  }
+  if (settings.lighting) macros.push_back("LIGHT");
+  if (!settings.smoothNormals || !surface_->hasNormals()) {
+    macros.push_back("FLAT");
+  } else if (settings.lighting && surface_->culled() && mesh_->triangleCount() > kDense) {
+    macros.push_back("VERTEX_LIGHT");
+  }
+  if (settings.edges) macros.push_back("WIRE");
+  if (settings.edges || fill == kChecker) macros.push_back("PLACES");
+  const auto found = surfacePrograms_.find(macros);
+  if (found != surfacePrograms_.end()) return found->second;
+  return surfacePrograms_.emplace(macros, gl::Program("surface.vert", "surface.frag", macros))
+      .first->second;
+}
+
+void Renderer::setFill(gl::Program& program, const Frame& frame) {
+  const RenderSettings& settings = frame.settings;
+  const ColorMode mode = canShow(settings.colorMode) ? settings.colorMode : ColorMode::Shaded;
+  const bool marksAlone = mode == ColorMode::GaussVertex || mode == ColorMode::GaussEdge;
+  program.set("uPlainColor", marksAlone ? kCalm : kClay);
+  program.set("uDryColor", kDry);
   std::optional<ScalarRange> range = scalarRange(settings);
-  if (range && settings.colorMode == ColorMode::Gauss) {
+  if (mode == ColorMode::Gauss) {
     range = gauss_->faceRange();
     range->scale = settings.scale.value_or(ScalarScale::Linear);
   }
-  setScale(surfaceProgram_, range.value_or(ScalarRange{}), settings);
+  setScale(program, range.value_or(ScalarRange{}), settings);
+  if (mode == ColorMode::GaussFace || mode == ColorMode::Gauss) {
+    gauss_->bindFaceValues(units::kValues);
+  } else if (isDistortion(mode)) {
+    values_.at(mode).values.bind(units::kValues);
+  }
 }
 
 void Renderer::drawSurface(const Frame& frame) {
   const RenderSettings& settings = frame.settings;
-  gl::Program& program = surfaceProgram_;
+  gl::Program& program = surfaceProgram(settings);
   program.use();
   setEye(program, frame.eye);
-  setFill(frame);
+  setFill(program, frame);
   charts_->bindLabels(units::kLabels);
   flood_->bindOrder(units::kFlood);
   flood_->bindTime(units::kFloodTime);
@@ -350,21 +363,19 @@ void Renderer::drawSurface(const Frame& frame) {
       {"uInnerSides", units::kInnerSides},   {"uCornerUv", units::kCornerUv}};
   for (const auto& [name, unit] : samplers) program.set(name, static_cast<int>(unit));
 
-  program.set("uLighting", settings.lighting ? 1 : 0);
-  program.set("uSmoothNormals", settings.smoothNormals && surface_->hasNormals() ? 1 : 0);
   const float faces = static_cast<float>(mesh_->faceCount());
-  program.set("uPlay", settings.playhead ? 1 : 0);
   program.set("uPlayhead", static_cast<unsigned>(settings.playhead.value_or(0)));
   program.set("uFront", static_cast<unsigned>(std::max(1.0f, std::ceil(kFrontShare * faces))));
   program.set("uOrderScale", 1 / std::max(faces, 1.0f));
-  program.set("uWire", settings.edges ? 1 : 0);
   program.set("uWireWidth", settings.edgeWidth * settings.pixelScale);
   program.set("uCheckerSquares", settings.checkerSquares);
   const bool hovers = settings.hoverFace < mesh_->faceCount();
   program.set("uHoverFirst", hovers ? mesh_->triangleBegin(settings.hoverFace) : 0u);
   program.set("uHoverEnd", hovers ? mesh_->triangleBegin(settings.hoverFace + 1) : 0u);
+  program.set("uOutside", surface_->insideOut() ? -1.0f : 1.0f);
   glEnable(GL_DEPTH_TEST);
-  surface_->draw();
+  // The inside of a closed surface is seen only where charts are hidden.
+  surface_->draw(settings.hiddenCharts.empty());
 }
 
 void Renderer::drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths,

@@ -119,7 +119,9 @@ class Renderer {
 
   void drawBackground(const Frame& frame);
   void drawSurface(const Frame& frame);
-  void setFill(const Frame& frame);
+  int fillNumber(const RenderSettings& settings) const;
+  gl::Program& surfaceProgram(const RenderSettings& settings);
+  void setFill(gl::Program& program, const Frame& frame);
   void drawLines(const Frame& frame);
   void drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths,
                     const glm::vec4& color);
@@ -133,7 +135,8 @@ class Renderer {
   ScalarRange chosenRange(ScalarRange range, const RenderSettings& settings) const;
   void drawIds(const Eye& eye, int width, int height, std::vector<GLuint>& ids, float* depth);
 
-  gl::Program backgroundProgram_, surfaceProgram_, lineProgram_, pointProgram_, idProgram_;
+  gl::Program backgroundProgram_, lineProgram_, pointProgram_, idProgram_;
+  std::map<std::vector<std::string>, gl::Program> surfacePrograms_;  // by their macros
   gl::VertexArray emptyVertexArray_;
   gl::Texture colorMap_;
   std::string loadedMap_;

@@ -88,7 +88,7 @@ void Renderer::drawIds(const Eye& eye, int width, int height, std::vector<GLuint
   charts_->bindColors(units::kChartColors);
   idProgram_.set("uLabels", static_cast<int>(units::kLabels));
   idProgram_.set("uChartColors", static_cast<int>(units::kChartColors));
-  surface_->draw();
+  surface_->draw(lastSettings_.hiddenCharts.empty());
   ids.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
   glReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, ids.data());
   if (depth) glReadPixels(0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, depth);

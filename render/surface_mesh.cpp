@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace chartflood {
@@ -69,6 +70,16 @@ std::vector<std::uint8_t> innerSides(const Mesh& mesh) {
   return inner;
 }
 
+/// Six times the volume inside a closed surface; negative when its triangles face inwards.
+double signedVolume(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.triangles()) {
+    const auto p = mesh.positions();
+    sum += glm::dot(p[a], glm::cross(p[b], p[c]));
+  }
+  return sum;
+}
+
 void viewAsTexture(gl::Texture& texture, GLenum format, const gl::Buffer& buffer) {
   texture = gl::Texture::create();
   glBindTexture(GL_TEXTURE_BUFFER, texture.id());
@@ -80,6 +91,9 @@ void viewAsTexture(gl::Texture& texture, GLenum format, const gl::Buffer& buffer
 SurfaceMesh::SurfaceMesh(const Mesh& mesh, const CornerNormals* normals)
     : triangleCount_(mesh.triangleCount()), hasNormals_(normals != nullptr),
       vertexArray_(gl::VertexArray::create()) {
+  // Pieces may face different ways, so only a single one tells which side is outside.
+  culled_ = mesh.closed() && mesh.componentCount() == 1;
+  insideOut_ = culled_ && signedVolume(mesh) < 0;
   const VertexList list = shareCorners(mesh, normals);
   glBindVertexArray(vertexArray_.id());
   gl::uploadBuffer<GpuVertex>(vertices_, GL_ARRAY_BUFFER, list.vertices);
@@ -95,10 +109,14 @@ SurfaceMesh::SurfaceMesh(const Mesh& mesh, const CornerNormals* normals)
   innerSides_.upload<std::uint8_t>(GL_R8UI, innerSides(mesh));
 }
 
-void SurfaceMesh::draw() const {
+void SurfaceMesh::draw(bool outsideAlone) const {
+  glFrontFace(insideOut_ ? GL_CW : GL_CCW);
+  if (culled_ && outsideAlone) glEnable(GL_CULL_FACE);
   glBindVertexArray(vertexArray_.id());
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangleCount_), GL_UNSIGNED_INT, nullptr);
   glBindVertexArray(0);
+  glDisable(GL_CULL_FACE);
+  glFrontFace(GL_CCW);
 }
 
 void SurfaceMesh::bindArrays(GLuint vertexUnit, GLuint indexUnit, GLuint innerSideUnit) const {

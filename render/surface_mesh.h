@@ -21,14 +21,19 @@ class SurfaceMesh {
 
   std::size_t triangleCount() const { return triangleCount_; }
   bool hasNormals() const { return hasNormals_; }
-  /// Draws all triangles with the program in use (attributes 0: place, 1: normal).
-  void draw() const;
+  /// The triangles of a closed surface in one piece face inwards.
+  bool insideOut() const { return insideOut_; }
+  /// Insides of a closed surface in one piece need not be drawn.
+  bool culled() const { return culled_; }
+  /// Draws all triangles with the program in use (attributes 0: place, 1: normal), those seen from
+  /// inside only where `outsideAlone` is false or the surface is open.
+  void draw(bool outsideAlone) const;
   /// Makes vertices (RGBA32F), indices (R32UI) and inner sides (R8UI) readable by shaders.
   void bindArrays(GLuint vertexUnit, GLuint indexUnit, GLuint innerSideUnit) const;
 
  private:
   std::size_t triangleCount_ = 0;
-  bool hasNormals_ = false;
+  bool hasNormals_ = false, culled_ = false, insideOut_ = false;
   gl::VertexArray vertexArray_;
   gl::Buffer vertices_, indices_;
   gl::Texture vertexTexture_, indexTexture_;

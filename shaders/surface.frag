@@ -1,25 +1,29 @@
 #version 330 core
+// Made in variants by macros, not by uniforms: software drivers work through every branch.
+//   FILL 0..6     what fills the faces (below)
+//   FLOOD         the recorded flood decides which chart a face has; with PLAY up to the playhead
+//   STATES        charts may be hidden or step back
+//   LIGHT         light and shadow; with FLAT each triangle is shaded by its plane, with
+//                 VERTEX_LIGHT by what its corners receive
+//   PLACES        with WIRE (mesh edges) and the checkerboard: corners' places are looked up
 #include "common/color_map.glsl"
 #include "common/light.glsl"
-#include "common/srgb.glsl"
 
 const uint kNone = 0xFFFFFFFFu;
 
-// What fills the faces.
-const int kPlain = 0;
-const int kCharts = 1;
-const int kTriangleValue = 2;
-const int kChartValue = 3;
-const int kFloodTime = 4;
-const int kFloodOrder = 5;
-const int kChecker = 6;
+#define FILL_PLAIN 0
+#define FILL_CHARTS 1
+#define FILL_TRIANGLE_VALUE 2
+#define FILL_CHART_VALUE 3
+#define FILL_FLOOD_TIME 4
+#define FILL_FLOOD_ORDER 5
+#define FILL_CHECKER 6
+#ifndef FILL
+#define FILL FILL_CHARTS
+#endif
 
-uniform int uFill;
 uniform vec3 uPlainColor;  // sRGB
 uniform vec3 uDryColor;
-uniform bool uLighting;
-uniform bool uOrthographic;
-uniform bool uSmoothNormals;  // false: the plane of each triangle
 
 uniform usamplerBuffer uLabels;      // chart of each triangle
 uniform usamplerBuffer uFlood;       // (order, chart) of each triangle
@@ -28,12 +32,10 @@ uniform samplerBuffer uValues;       // value of each triangle
 uniform samplerBuffer uChartColors;  // sRGB; alpha: 1 normal, 0.5 in the background, 0 hidden
 uniform samplerBuffer uChartValues;  // (value, 1 / longest time) of each chart
 
-uniform bool uPlay;          // show the flood up to the playhead instead of the labels
 uniform uint uPlayhead;      // faces taken
 uniform uint uFront;         // the newest so many are bright
 uniform float uOrderScale;   // 1 / number of faces
 
-uniform bool uWire;
 uniform float uWireWidth;            // pixels
 uniform samplerBuffer uVertices;     // place and packed normal of each drawn vertex
 uniform usamplerBuffer uIndices;     // three vertices a triangle
@@ -44,11 +46,19 @@ uniform float uCheckerSquares;       // per unit of uv
 uniform uint uHoverFirst;  // triangles [first, end) under the pointer
 uniform uint uHoverEnd;
 
+#ifdef PLACES
 in vec3 vModel;
+#endif
+#ifdef FLAT
 in vec3 vCamera;
+#elif defined(VERTEX_LIGHT)
+in vec4 vLight;
+#else
 in vec3 vNormal;
+#endif
 out vec4 oColor;
 
+#ifdef PLACES
 // Weights of the triangle's corners at this place.
 vec3 barycentric(int triangle) {
   vec3 a = texelFetch(uVertices, int(texelFetch(uIndices, 3 * triangle).r)).xyz;
@@ -84,66 +94,97 @@ float checker(vec2 uv) {
                abs(fract((place + 0.5 * width) * 0.5) - 0.5)) * 2.0 / width;
   return 0.5 - 0.5 * clamp(wave.x, -1.0, 1.0) * clamp(wave.y, -1.0, 1.0);
 }
+#endif
 
 vec3 fillColor(int triangle, uint chart, uint order, vec3 weights) {
-  if (uFill == kPlain) return uPlainColor;
-  if (uFill == kTriangleValue) {
-    float value = texelFetch(uValues, triangle).r;
-    return isnan(value) ? uDryColor : mapped(scaled(value));
-  }
-  if (uFill == kChecker) {
-    vec2 uv = weights.x * texelFetch(uCornerUv, 3 * triangle).rg +
-              weights.y * texelFetch(uCornerUv, 3 * triangle + 1).rg +
-              weights.z * texelFetch(uCornerUv, 3 * triangle + 2).rg;
-    return mix(vec3(0.38), vec3(0.93), checker(uv));
-  }
+#if FILL == FILL_PLAIN
+  return uPlainColor;
+#elif FILL == FILL_TRIANGLE_VALUE
+  float value = texelFetch(uValues, triangle).r;
+  return isnan(value) ? uDryColor : mapped(scaled(value));
+#elif FILL == FILL_CHECKER
+  vec2 uv = weights.x * texelFetch(uCornerUv, 3 * triangle).rg +
+            weights.y * texelFetch(uCornerUv, 3 * triangle + 1).rg +
+            weights.z * texelFetch(uCornerUv, 3 * triangle + 2).rg;
+  return mix(vec3(0.38), vec3(0.93), checker(uv));
+#else
   if (chart == kNone) return uDryColor;
-  if (uFill == kCharts) return texelFetch(uChartColors, int(chart)).rgb;
-  if (uFill == kChartValue) return mapped(scaled(texelFetch(uChartValues, int(chart)).r));
-  if (order == kNone) return uDryColor;
-  float t = uFill == kFloodOrder
-                ? float(order) * uOrderScale
-                : texelFetch(uFloodTime, triangle).r * texelFetch(uChartValues, int(chart)).g;
+#if FILL == FILL_CHARTS
+  return texelFetch(uChartColors, int(chart)).rgb;
+#elif FILL == FILL_CHART_VALUE
+  return mapped(scaled(texelFetch(uChartValues, int(chart)).r));
+#else
+#if FILL == FILL_FLOOD_ORDER
+  float t = float(order) * uOrderScale;
+#else
+  float t = texelFetch(uFloodTime, triangle).r * texelFetch(uChartValues, int(chart)).g;
+#endif
   t = clamp(t, 0.0, 1.0);
   // Contour lines by alternating bands.
   float band = mod(floor(t * 20.0), 2.0);
   return mapped(t) * (1.0 - 0.10 * band);
+#endif
+#endif
+}
+
+// sRGB in, sRGB out. Squares and roots stand for the sRGB curve: they differ by less than the eye
+// sees here and cost far less.
+vec3 lit(vec3 color) {
+#if defined(VERTEX_LIGHT)
+  vec4 amount = vLight;
+#else
+#if defined(FLAT)
+  vec3 normal = normalize(cross(dFdx(vCamera), dFdy(vCamera)));
+#else
+  vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
+#endif
+  // Insides are lit as well and a little darker.
+  vec4 amount = light(normal) * (gl_FrontFacing ? 1.0 : 0.62);
+#endif
+  return sqrt(clamp(color * color * amount.rgb + amount.a, 0.0, 1.0));
 }
 
 void main() {
   int triangle = gl_PrimitiveID;
-  uint chart = texelFetch(uLabels, triangle).r;
+#ifdef FLOOD
+  uvec2 taken = texelFetch(uFlood, triangle).rg;
+  uint order = taken.r;
+  uint chart = taken.g;
+#ifdef PLAY
+  if (order >= uPlayhead) chart = kNone;
+#endif
+#else
   uint order = kNone;
-  bool flood = uPlay || uFill == kFloodTime || uFill == kFloodOrder;
-  if (flood) {
-    uvec2 taken = texelFetch(uFlood, triangle).rg;
-    order = taken.r;
-    chart = uPlay && order >= uPlayhead ? kNone : taken.g;
-  }
+  uint chart = texelFetch(uLabels, triangle).r;
+#endif
+#ifdef STATES
   float presence = chart == kNone ? 1.0 : texelFetch(uChartColors, int(chart)).a;
   if (presence == 0.0) discard;
-
-  vec3 weights = uWire || uFill == kChecker ? barycentric(triangle) : vec3(0.0);
+#endif
+#ifdef PLACES
+  vec3 weights = barycentric(triangle);
+#else
+  vec3 weights = vec3(0.0);
+#endif
   vec3 color = fillColor(triangle, chart, order, weights);
-  bool dry = flood && chart == kNone;
-  if (dry) color = uDryColor;
+#ifdef FLOOD
+  if (chart == kNone) color = uDryColor;
+#endif
+#ifdef STATES
   if (presence < 0.75) color = mix(color, vec3(dot(color, vec3(0.3, 0.6, 0.1)) * 0.4 + 0.2), 0.75);
-  if (uPlay && !dry) {
-    float age = float(uPlayhead - 1u - order) / float(uFront);
-    color = mix(color, vec3(1.0, 0.98, 0.90), 0.85 * clamp(1.0 - age, 0.0, 1.0));
-  }
+#endif
+#ifdef PLAY
+  float age = float(uPlayhead - 1u - order) / float(uFront);
+  float front = chart == kNone ? 0.0 : 0.85 * clamp(1.0 - age, 0.0, 1.0);
+  color = mix(color, vec3(1.0, 0.98, 0.90), front);
+#endif
   uint id = uint(triangle);
   if (id >= uHoverFirst && id < uHoverEnd) color = mix(color, vec3(1.0), 0.45);
-
-  if (uLighting) {
-    vec3 toEye = uOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(-vCamera);
-    vec3 plane = normalize(cross(dFdx(vCamera), dFdy(vCamera)));
-    vec3 normal = uSmoothNormals ? normalize(vNormal) : plane;
-    // Insides are lit as well and a little darker.
-    float back = gl_FrontFacing ? 1.0 : 0.62;
-    if (dot(normal, plane) < 0.0) normal = -normal;
-    color = toSrgb(clamp(shade(toLinear(color), normal, toEye) * back, 0.0, 1.0));
-  }
-  if (uWire) color = mix(color, vec3(0.07), 0.75 * wireCover(weights, triangle));
+#ifdef LIGHT
+  color = lit(color);
+#endif
+#ifdef WIRE
+  color = mix(color, vec3(0.07), 0.75 * wireCover(weights, triangle));
+#endif
   oColor = vec4(color, 1.0);
 }

@@ -30,8 +30,8 @@ std::string nameFiles(std::string message, const ShaderSource& source) {
 }
 
 template <typename Kind>
-Handle<Kind> compile(std::string_view name) {
-  const ShaderSource source = loadShader(name);
+Handle<Kind> compile(std::string_view name, std::span<const std::string> defines) {
+  const ShaderSource source = loadShader(name, defines);
   Handle<Kind> shader = Handle<Kind>::create();
   const char* text = source.text.c_str();
   glShaderSource(shader.id(), 1, &text, nullptr);
@@ -49,10 +49,11 @@ Handle<Kind> compile(std::string_view name) {
 
 }  // namespace
 
-Program::Program(std::string_view vertexShader, std::string_view fragmentShader)
+Program::Program(std::string_view vertexShader, std::string_view fragmentShader,
+                 std::span<const std::string> defines)
     : program_(Handle<ProgramKind>::create()) {
-  const auto vertex = compile<VertexShaderKind>(vertexShader);
-  const auto fragment = compile<FragmentShaderKind>(fragmentShader);
+  const auto vertex = compile<VertexShaderKind>(vertexShader, defines);
+  const auto fragment = compile<FragmentShaderKind>(fragmentShader, defines);
   glAttachShader(program_.id(), vertex.id());
   glAttachShader(program_.id(), fragment.id());
   glLinkProgram(program_.id());

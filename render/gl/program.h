@@ -2,6 +2,7 @@
 /// A linked pair of shaders with its uniforms.
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -24,9 +25,10 @@ struct ProgramKind {
 class Program {
  public:
   Program() = default;
-  /// Compiles and links two files of the folder `shaders`, e.g. "surface.vert", "surface.frag".
-  /// \throws Error with the driver's message, file and line.
-  Program(std::string_view vertexShader, std::string_view fragmentShader);
+  /// Compiles and links two files of the folder `shaders`, e.g. "surface.vert", "surface.frag";
+  /// `defines` as for loadShader(). \throws Error with the driver's message, file and line.
+  Program(std::string_view vertexShader, std::string_view fragmentShader,
+          std::span<const std::string> defines = {});
 
   void use() const { glUseProgram(program_.id()); }
   GLuint id() const { return program_.id(); }

@@ -62,9 +62,14 @@ void append(ShaderSource& source, const std::string& name) {
 
 void setShaderFolder(const std::filesystem::path& folder) { shaderFolder() = folder; }
 
-ShaderSource loadShader(std::string_view name) {
+ShaderSource loadShader(std::string_view name, std::span<const std::string> defines) {
   ShaderSource source;
   append(source, std::string(name));
+  if (defines.empty()) return source;
+  std::string lines;
+  for (const std::string& define : defines) lines += "#define " + define + "\n";
+  // After the line of #version, which must stay the first.
+  source.text.insert(source.text.find('\n') + 1, lines + "#line 2 0\n");
   return source;
 }
 

@@ -26,7 +26,8 @@ struct ShaderSource {
 };
 
 /// The shader with every `#include "name"` replaced by that file, once each, and `#line` directives
-/// that keep line numbers true. \throws Error when a file is missing.
-ShaderSource loadShader(std::string_view name);
+/// that keep line numbers true. Each of `defines` ("NAME" or "NAME value") is defined before its
+/// second line. \throws Error when a file is missing.
+ShaderSource loadShader(std::string_view name, std::span<const std::string> defines = {});
 
 }  // namespace chartflood::gl

@@ -39,6 +39,27 @@ TEST_F(Shaders, EveryPairCompilesAndLinks) {
   EXPECT_GE(pairs, 6);
 }
 
+TEST_F(Shaders, EveryVariantOfTheSurfaceCompiles) {
+  const std::vector<std::vector<std::string>> floods{{}, {"FLOOD"}, {"FLOOD", "PLAY"}};
+  const std::vector<std::vector<std::string>> lights{
+      {}, {"LIGHT"}, {"LIGHT", "FLAT"}, {"LIGHT", "VERTEX_LIGHT"}};
+  int count = 0;
+  for (int fill = 0; fill < 7; ++fill) {
+    for (const auto& flood : floods) {
+      for (const auto& light : lights) {
+        std::vector<std::string> macros{"FILL " + std::to_string(fill)};
+        macros.insert(macros.end(), flood.begin(), flood.end());
+        macros.insert(macros.end(), light.begin(), light.end());
+        if (++count % 2 == 0) macros.push_back("STATES");
+        if (count % 3 == 0) macros.push_back("WIRE");
+        if (count % 3 == 0 || fill == 6) macros.push_back("PLACES");
+        EXPECT_NO_THROW(gl::Program("surface.vert", "surface.frag", macros))
+            << ::testing::PrintToString(macros);
+      }
+    }
+  }
+}
+
 class ShaderFolder : public test::GlTest {
  protected:
   void SetUp() override {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -55,9 +56,23 @@ std::shared_ptr<const Mesh> cube(int n) { return buildMesh(cubeInput(n, false));
 
 std::shared_ptr<const Mesh> quadCube(int n) { return buildMesh(cubeInput(n, true)); }
 
-std::shared_ptr<const Mesh> ball(int n) {
+namespace {
+
+std::shared_ptr<InputMesh> ballInput(int n) {
   const auto input = cubeInput(n, false);
   for (glm::dvec3& p : input->positions) p = glm::normalize(2.0 * p / double(n) - 1.0);
+  return input;
+}
+
+}  // namespace
+
+std::shared_ptr<const Mesh> ball(int n) { return buildMesh(ballInput(n)); }
+
+std::shared_ptr<const Mesh> ballInsideOut(int n) {
+  const auto input = ballInput(n);
+  for (std::size_t c = 0; c < input->corners.size(); c += 3) {
+    std::swap(input->corners[c + 1], input->corners[c + 2]);
+  }
   return buildMesh(input);
 }
 

@@ -14,5 +14,7 @@ std::shared_ptr<const Mesh> cube(int n);
 std::shared_ptr<const Mesh> quadCube(int n);
 /// A cube blown up to a ball.
 std::shared_ptr<const Mesh> ball(int n);
+/// The same with all triangles facing inwards.
+std::shared_ptr<const Mesh> ballInsideOut(int n);
 
 }  // namespace chartflood::test

@@ -1,5 +1,7 @@
 #include <set>
 
+#include <glm/geometric.hpp>
+
 #include "tests/render/scene.h"
 
 namespace chartflood {
@@ -178,6 +180,46 @@ TEST_F(SurfacePixels, SeedsAreMarkedInTheirChartsColour) {
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_NEAR(core[c], 255 * color[static_cast<int>(c)], 70);
   }
+}
+
+/// Normals of a ball, outwards (1) or inwards (-1).
+CornerNormals ballNormals(const Mesh& mesh, float outwards) {
+  CornerNormals normals;
+  for (const auto& triangle : mesh.triangles()) {
+    for (const Index v : triangle) {
+      normals.normal.push_back(outwards * glm::vec3(glm::normalize(mesh.positions()[v])));
+    }
+  }
+  return normals;
+}
+
+TEST_F(SurfacePixels, AClosedSurfaceInsideOutLooksLikeTheRightOne) {
+  const auto drawBall = [&](const std::shared_ptr<const Mesh>& mesh, float outwards) {
+    show(mesh);
+    const CornerNormals normals = ballNormals(*mesh, outwards);
+    renderer_->setNormals(&normals);
+    RenderSettings settings = flat(ColorMode::Shaded);
+    settings.lighting = true;
+    return draw(settings);
+  };
+  const Image right = drawBall(test::ball(16), 1);
+  const Image wrong = drawBall(test::ballInsideOut(16), -1);
+  EXPECT_LT(compareImages(right, wrong, 2).differentPixels, 20u);
+}
+
+TEST_F(SurfacePixels, LightAtTheCornersOfDenseMeshesEqualsLightInEachPixel) {
+  const auto drawBall = [&](int n) {
+    show(test::ball(n));
+    const CornerNormals normals = ballNormals(*mesh_, 1);
+    renderer_->setNormals(&normals);
+    RenderSettings settings = flat(ColorMode::Shaded);
+    settings.lighting = true;
+    return draw(settings);
+  };
+  const Image inPixels = drawBall(80);    // 76,800 triangles
+  const Image atCorners = drawBall(100);  // 120,000 triangles
+  // Outlines differ a little, for the meshes do.
+  EXPECT_LT(compareImages(inPixels, atCorners, 4).differentPixels, 60u);
 }
 
 TEST_F(SurfacePixels, CheckerboardShowsBothGreys) {

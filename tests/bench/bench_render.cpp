@@ -1,0 +1,147 @@
+// Time of a frame without a window: 1280 x 800 pixels, read back not included. Software drivers
+// work on several threads, so the time of the whole process is shown beside the wall's.
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
+#include "core/model/build_mesh.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/offscreen_context.h"
+#include "render/renderer.h"
+
+namespace chartflood {
+namespace {
+
+/// A torus of about `triangles` triangles.
+std::shared_ptr<const Mesh> torus(std::size_t triangles) {
+  const auto tube = static_cast<Index>(std::sqrt(static_cast<double>(triangles) / 6));
+  const Index ring = 3 * tube;
+  auto input = std::make_shared<InputMesh>();
+  input->file = "torus";
+  for (Index i = 0; i < ring; ++i) {
+    for (Index j = 0; j < tube; ++j) {
+      const double u = 2 * glm::pi<double>() * i / ring, v = 2 * glm::pi<double>() * j / tube;
+      const double r = 1 + 0.4 * std::cos(v);
+      input->positions.emplace_back(r * std::cos(u), 0.4 * std::sin(v), -r * std::sin(u));
+      const Index i1 = (i + 1) % ring, j1 = (j + 1) % tube;
+      for (const Index corner : {i * tube + j, i1 * tube + j, i1 * tube + j1, i * tube + j,
+                                 i1 * tube + j1, i * tube + j1}) {
+        input->corners.push_back(corner);
+      }
+    }
+  }
+  return buildMesh(input);
+}
+
+CornerNormals torusNormals(const Mesh& mesh) {
+  CornerNormals normals;
+  for (const auto& triangle : mesh.triangles()) {
+    for (const Index vertex : triangle) {
+      const glm::dvec3& p = mesh.positions()[vertex];
+      const glm::dvec3 onRing = glm::normalize(glm::dvec3(p.x, 0, p.z)) / mesh.scale();
+      normals.normal.emplace_back(glm::normalize(p - onRing));
+    }
+  }
+  return normals;
+}
+
+Segmentation wedges(const Mesh& mesh) {
+  constexpr std::size_t kCharts = 20;
+  Segmentation segmentation;
+  segmentation.chartCount = kCharts;
+  segmentation.complete = true;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+    segmentation.label.push_back(static_cast<Index>(f * kCharts / mesh.faceCount()));
+  }
+  return segmentation;
+}
+
+/// Arguments: triangles, samples a pixel, 0 charts / 1 charts with mesh edges / 2 plain.
+void frame(benchmark::State& state) {
+  const auto context = gl::createOffscreenContext();
+  const gl::CurrentScope current(*context);
+  const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
+  const CornerNormals normals = torusNormals(*mesh);
+  const Segmentation segmentation = wedges(*mesh);
+  Renderer renderer;
+  renderer.setMesh(mesh, &normals);
+  renderer.setSegmentation(&segmentation);
+  Camera camera;
+  camera.look(StandardView::Oblique);
+  camera.frame(mesh->positions(), 1.6);
+  RenderSettings settings;
+  settings.colorMode = state.range(2) == 2 ? ColorMode::Shaded : ColorMode::Charts;
+  settings.edges = state.range(2) == 1;
+  const gl::Framebuffer target(1280, 800, static_cast<int>(state.range(1)));
+  renderer.draw(target, camera, settings);  // compiles the shaders
+  glFinish();
+  for (auto _ : state) {
+    camera.orbit(0.01, 0);
+    renderer.draw(target, camera, settings);
+    glFinish();
+  }
+  state.SetLabel(context->backend());
+}
+BENCHMARK(frame)
+    ->ArgNames({"triangles", "samples", "look"})
+    ->ArgsProduct({{150'000, 1'000'000}, {1, 4}, {0, 1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+void upload(benchmark::State& state) {
+  const auto context = gl::createOffscreenContext();
+  const gl::CurrentScope current(*context);
+  const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
+  const CornerNormals normals = torusNormals(*mesh);
+  Renderer renderer;
+  for (auto _ : state) {
+    renderer.setMesh(mesh, &normals);
+    glFinish();
+  }
+}
+BENCHMARK(upload)
+    ->ArgName("triangles")
+    ->Arg(150'000)
+    ->Arg(1'000'000)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+/// A hundred updates over a whole flood, as when it is watched.
+void followFlood(benchmark::State& state) {
+  const auto context = gl::createOffscreenContext();
+  const gl::CurrentScope current(*context);
+  const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
+  Renderer renderer;
+  renderer.setMesh(mesh, nullptr);
+  const std::size_t faces = mesh->faceCount();
+  for (auto _ : state) {
+    const auto record = std::make_shared<FloodRecord>(faces);
+    renderer.setFlood(record);
+    for (std::size_t step = 0; step < 100; ++step) {
+      for (std::size_t f = step * faces / 100; f < (step + 1) * faces / 100; ++f) {
+        record->append(static_cast<Index>(f % 20 * (faces / 20) + f / 20 % (faces / 20)),
+                       static_cast<Index>(f % 20), static_cast<float>(f));
+      }
+      record->publish();
+      renderer.updateFlood();
+    }
+  }
+}
+BENCHMARK(followFlood)
+    ->ArgName("triangles")
+    ->Arg(1'000'000)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+}  // namespace
+}  // namespace chartflood
+
+BENCHMARK_MAIN();
