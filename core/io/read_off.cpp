@@ -14,8 +14,14 @@ std::string_view headerWord(std::string_view word) {
   const std::size_t at = word.find("OFF");
   if (at == std::string_view::npos) return {};
   std::string_view prefix = word.substr(0, at);
-  for (const std::string_view part : {"ST", "C", "N", "4", "n"}) {
-    if (prefix.starts_with(part)) prefix.remove_prefix(part.size());
+  // In any order: programs differ in it.
+  for (bool found = true; found;) {
+    found = false;
+    for (const std::string_view part : {"ST", "C", "N", "4", "n"}) {
+      if (!prefix.starts_with(part)) continue;
+      prefix.remove_prefix(part.size());
+      found = true;
+    }
   }
   return prefix.empty() ? word.substr(0, at + 3) : std::string_view{};
 }

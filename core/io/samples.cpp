@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -54,22 +55,39 @@ constexpr std::array<Shape, kSamples.size()> kShapes = {
     kShape<makeCylinder>, kShape<makeTube>,   kShape<makeCone>, kShape<makeBumps>,
     kShape<makePlane>};
 
-/// The edge length that gives the wanted number of triangles, which falls with its square apart
-/// from rounding.
-double edgeFor(const Shape& shape, double wanted) {
-  double edge = 0.2, count = static_cast<double>(shape.count(edge));
-  double bestEdge = edge, bestMiss = std::abs(std::log(count / wanted));
-  for (int i = 0; i < 6 && bestMiss > 0.03; ++i) {
-    edge *= std::sqrt(count / wanted);
-    count = static_cast<double>(shape.count(edge));
-    const double miss = std::abs(std::log(count / wanted));
-    if (miss < bestMiss) {
-      bestMiss = miss;
-      bestEdge = edge;
+/// The edge length that gives the number of triangles nearest to the wanted one. The number falls
+/// with the square of the length, but rows and columns are whole, so that few triangles come in
+/// jumps; then lengths around the best one are tried as well.
+class EdgeSearch {
+ public:
+  EdgeSearch(const Shape& shape, double wanted) : shape_(shape), wanted_(wanted) {}
+
+  double find() {
+    double edge = 0.2, count = attempt(edge);
+    for (int i = 0; i < 4 && miss_ > 0.03; ++i) {
+      edge *= std::sqrt(count / wanted_);
+      count = attempt(edge);
     }
+    const double middle = best_;
+    for (int i = -8; i <= 8 && miss_ > 0.03; ++i) attempt(middle * (1 + 0.02 * i));
+    return best_;
   }
-  return bestEdge;
-}
+
+ private:
+  double attempt(double edge) {
+    const double count = static_cast<double>(shape_.count(edge));
+    const double miss = std::abs(std::log(count / wanted_));
+    if (miss < miss_) {
+      miss_ = miss;
+      best_ = edge;
+    }
+    return count;
+  }
+
+  const Shape& shape_;
+  double wanted_;
+  double best_ = 0, miss_ = std::numeric_limits<double>::infinity();
+};
 
 }  // namespace
 
@@ -79,7 +97,7 @@ std::shared_ptr<const InputMesh> makeSample(std::string_view id, std::size_t tri
   for (std::size_t i = 0; i < kSamples.size(); ++i) {
     if (id != kSamples[i].id) continue;
     const std::size_t wanted = triangles == 0 ? kSamples[i].defaultTriangles : triangles;
-    InputMesh mesh = kShapes[i].make(edgeFor(kShapes[i], static_cast<double>(wanted)));
+    InputMesh mesh = kShapes[i].make(EdgeSearch(kShapes[i], static_cast<double>(wanted)).find());
     mesh.file = std::string(id);
     // The shapes are built around a z axis that points up; viewers take y for that.
     for (glm::dvec3& p : mesh.positions) p = {p.x, p.z, -p.y};

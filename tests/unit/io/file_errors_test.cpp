@@ -1,0 +1,116 @@
+/// What is no readable file: one sentence each, and nothing hangs.
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/error.h"
+#include "core/io/read_mesh.h"
+#include "io_support.h"
+
+namespace chartflood::test {
+namespace {
+
+std::string causeOf(const std::filesystem::path& file) {
+  try {
+    readMesh(file);
+  } catch (const ReadError& e) {
+    EXPECT_NE(std::string(e.what()).find(file.string()), std::string::npos);
+    return e.cause();
+  }
+  return "";
+}
+
+TEST(FileErrors, MissingFile) {
+  const TempFolder folder;
+  EXPECT_EQ(causeOf(folder.path() / "none.obj"), "there is no such file");
+}
+
+TEST(FileErrors, FileBelowAFile) {
+  const TempFolder folder;
+  const auto file = folder.write("a.obj", "v 0 0 0\n");
+  EXPECT_EQ(causeOf(file / "b.obj"), "a part of its path is not a folder");
+}
+
+TEST(FileErrors, Folder) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder.path() / "a.obj");
+  EXPECT_EQ(causeOf(folder.path() / "a.obj"), "it is a folder; name a mesh file in it");
+}
+
+TEST(FileErrors, LinkThatLeadsNowhere) {
+  const TempFolder folder;
+  std::filesystem::create_symlink("gone.obj", folder.path() / "a.obj");
+  EXPECT_EQ(causeOf(folder.path() / "a.obj"),
+            "it is a symbolic link to a file that does not exist");
+}
+
+TEST(FileErrors, LinkThatLeadsToItself) {
+  const TempFolder folder;
+  std::filesystem::create_symlink("b.obj", folder.path() / "a.obj");
+  std::filesystem::create_symlink("a.obj", folder.path() / "b.obj");
+  EXPECT_EQ(causeOf(folder.path() / "a.obj"), "it is a symbolic link that leads back to itself");
+}
+
+TEST(FileErrors, PipeIsNotWaitedFor) {
+  const TempFolder folder;
+  const auto file = folder.path() / "a.obj";
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  EXPECT_EQ(causeOf(file), "it is a pipe; only files can be read");
+}
+
+TEST(FileErrors, Device) {
+  EXPECT_EQ(causeOf("/dev/null"), "it is a device or socket; only files can be read");
+}
+
+TEST(FileErrors, NoPermission) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
+  const TempFolder folder;
+  const auto file = folder.write("a.obj", "v 0 0 0\n");
+  ASSERT_EQ(::chmod(file.c_str(), 0), 0);
+  EXPECT_EQ(causeOf(file), "you have no permission to read it");
+}
+
+TEST(FileErrors, NameTooLong) {
+  const TempFolder folder;
+  EXPECT_EQ(causeOf(folder.path() / std::string(300, 'x')), "its name is too long");
+}
+
+TEST(FileErrors, UnknownFormatNamesTheKnownOnes) {
+  EXPECT_NE(refusalOf("points.xyz", "0 0 0\n").find("supported are .obj, .ply"), std::string::npos);
+}
+
+TEST(Formats, FollowFromTheContentWithoutAnExtension) {
+  const char* const obj = "# made by hand\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(readBytes("mesh", obj)->faceCount(), 1u);
+  EXPECT_EQ(readBytes("mesh.txt", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")->faceCount(), 1u);
+  EXPECT_EQ(readBytes("MESH.ObJ", obj)->faceCount(), 1u);
+}
+
+TEST(Formats, ContentOfAnotherFormatIsNamed) {
+  EXPECT_EQ(refusalOf("a.obj", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+            "its content is of the format .off although its name ends in .obj; rename it to end in "
+            ".off");
+}
+
+TEST(Reading, CancelledGivesNoMesh) {
+  const TempFolder folder;
+  const auto file = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  Progress progress;
+  progress.cancel();
+  EXPECT_EQ(readMesh(file, &progress), nullptr);
+}
+
+TEST(Reading, ReportsAPhaseAndItsEnd) {
+  const TempFolder folder;
+  const auto file = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  Progress progress;
+  EXPECT_EQ(readMesh(file, &progress)->file, file.string());
+  EXPECT_STREQ(progress.phase(), "Reading");
+  EXPECT_EQ(progress.fraction(), 1.0f);
+}
+
+}  // namespace
+}  // namespace chartflood::test
