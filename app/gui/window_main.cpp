@@ -35,8 +35,8 @@ void savePreferences(AppState& state) {
 
 void begin(AppState& state, const WindowOptions& options) {
   state.view.render = options.render;
-  state.view.upChosen = options.up.has_value();
-  state.view.camera.up = options.up.value_or(UpAxis::Y);
+  state.view.camera.up = options.up;
+  state.view.camera.look(StandardView::Oblique);
   state.view.camera.orthographic = options.orthographic;
   state.firstSeeds = options.seeds;
   Document document;

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +19,7 @@ struct WindowOptions {
   std::string sample = "rocket";
   std::size_t triangles = 0;  ///< of the sample; 0: its own number
   RenderSettings render;
-  std::optional<UpAxis> up;  ///< nothing: Y for files, Z for samples
+  UpAxis up = UpAxis::Y;
   bool orthographic = false;
 };
 

@@ -197,7 +197,6 @@ void addCamera(ActionRegistry& registry) {
                 .refusal = {},
                 .run =
                     [](AppState& state, const Arguments& a) {
-                      state.view.upChosen = true;
                       state.view.camera.up = a.text("axis") == "z" ? UpAxis::Z : UpAxis::Y;
                       state.view.camera.look(StandardView::Oblique);
                     },

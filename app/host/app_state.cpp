@@ -26,12 +26,10 @@ void AppState::update(double seconds) {
   if (results_->meshVersion != meshVersion_) {
     meshVersion_ = results_->meshVersion;
     hoveredFace = selectedChart = kNone;
-    lastStop_ = StopReason::NotStopped;
     view.frameWhenLoaded = true;
     placeSeeds();
     if (std::exchange(playWhenOpened_, false)) playback.playOneFlood();
   }
-  noticeStop();
   const bool stopped = results_->stopReason != StopReason::NotStopped;
   request(playback.update({hasMesh(), results_->record, status_.busy, stopped},
                           std::min(seconds, kLongestPlayedSeconds)));
@@ -89,19 +87,12 @@ void AppState::request(const std::optional<StepRequest>& step) {
 void AppState::open(const std::filesystem::path& file) {
   playWhenOpened_ = true;
   rememberFile(preferences, file);
-  turnUpright(UpAxis::Y);
   session_.open(file);
 }
 
 void AppState::openSample(const std::string& name, std::size_t triangles) {
   playWhenOpened_ = true;
-  turnUpright(UpAxis::Z);
   session_.openSample(name, triangles);
-}
-
-void AppState::turnUpright(UpAxis usual) {
-  if (!view.upChosen) view.camera.up = usual;
-  view.camera.look(StandardView::Oblique);
 }
 
 void AppState::placeSeeds() {
@@ -125,13 +116,6 @@ void AppState::takeNotices() {
   for (Notice& notice : session_.takeNotices()) notices.add(notice.kind, std::move(notice.text));
 }
 
-void AppState::noticeStop() {
-  const StopReason reason = results_->stopReason;
-  if (std::exchange(lastStop_, reason) == reason) return;
-  std::string sentence = stopSentence(reason, results_->parameters);
-  if (!sentence.empty()) notices.add(Notice::Kind::Info, std::move(sentence));
-}
-
 std::string commandLine(const AppState& state) {
   std::string text = "chartflood";
   for (const ParameterInfo& info : parameterTable()) {
@@ -141,23 +125,6 @@ std::string commandLine(const AppState& state) {
   }
   if (state.hasMesh()) text += ' ' + quotedArgument(state.results().mesh->input().file);
   return text;
-}
-
-std::string stopSentence(StopReason reason, const Parameters& parameters) {
-  switch (reason) {
-  case StopReason::Converged:
-    return "Finished: all seeds rest.";
-  case StopReason::Cycle:
-    return "Finished: the seeds came back to a place they had before.";
-  case StopReason::MaxIterations:
-    return "Finished: " + std::to_string(parameters.maxIterations) + " rounds were made.";
-  case StopReason::NoImprovement:
-    return "Finished: no better balance for " + std::to_string(parameters.patience) + " rounds.";
-  case StopReason::NotStopped:
-  case StopReason::Cancelled:
-    break;
-  }
-  return "";
 }
 
 }  // namespace chartflood

@@ -103,10 +103,8 @@ class AppState {
 
  private:
   bool floodsLive(bool dragging) const;
-  void turnUpright(UpAxis usual);
   void placeSeeds();
   void takeNotices();
-  void noticeStop();
 
   Session session_;
   std::shared_ptr<const Results> results_;
@@ -114,14 +112,10 @@ class AppState {
   UndoHistory<Document> undo_;
   std::vector<std::string> journal_;
   std::uint64_t meshVersion_ = 0;
-  StopReason lastStop_ = StopReason::NotStopped;
   bool playWhenOpened_ = false;
 };
 
 /// A command line that gives the present parameters and model: what differs from the defaults.
 std::string commandLine(const AppState& state);
-
-/// "Finished: no better balance for 10 rounds." for a rule that fired, "" for none.
-std::string stopSentence(StopReason reason, const Parameters& parameters);
 
 }  // namespace chartflood

@@ -11,7 +11,6 @@ namespace chartflood {
 struct ViewSettings {
   RenderSettings render;
   Camera camera;
-  bool upChosen = false;        ///< the user said which axis stands upright
   bool frameWhenLoaded = true;  ///< the camera has yet to be set up for a new model
 };
 

@@ -79,12 +79,12 @@ void tableRow(const Ui& ui, const ChartStats& stats, std::size_t chart) {
 
 void headers(const Ui& ui) {
   const ImGuiTableColumnFlags fixed = ImGuiTableColumnFlags_WidthStretch;
-  ImGui::TableSetupColumn("#", fixed | ImGuiTableColumnFlags_DefaultSort, 0.7f);
-  ImGui::TableSetupColumn("Faces", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);
-  ImGui::TableSetupColumn("Gauss", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);
+  ImGui::TableSetupColumn("#", fixed | ImGuiTableColumnFlags_DefaultSort, 0.75f);
+  ImGui::TableSetupColumn("Faces", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.15f);
+  ImGui::TableSetupColumn("Gauss", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.2f);
   ImGui::TableSetupColumn("Share", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);
-  ImGui::TableSetupColumn("Border", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);
-  ImGui::TableSetupColumn("Disk", fixed, 0.9f);
+  ImGui::TableSetupColumn("Border", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.3f);
+  ImGui::TableSetupColumn("Disk", fixed, 0.85f);
   ImGui::TableSetupScrollFreeze(0, 1);
   static const char* const kHelp[kColumns] = {
       "Number of the chart.",
@@ -118,7 +118,14 @@ void chartTable(const Ui& ui) {
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
   if (ImGui::BeginTable("charts", kColumns, flags)) {
     headers(ui);
-    for (std::size_t chart : sortedCharts(*stats)) tableRow(ui, *stats, chart);
+    const std::vector<std::size_t> order = sortedCharts(*stats);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(order.size()));
+    while (clipper.Step()) {
+      for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+        tableRow(ui, *stats, order[static_cast<std::size_t>(row)]);
+      }
+    }
     ImGui::EndTable();
   }
   ImGui::PopStyleVar();

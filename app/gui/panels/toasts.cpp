@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/gui/panels/panels.h"
 #include "app/gui/widgets.h"
@@ -71,26 +72,29 @@ void toasts(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax) {
 
 void firstStepsCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax) {
   if (!ui.state.panels.firstCard) return;
-  static constexpr const char* kLines[][2] = {
-      {"Space", "watch it flood, once more to pause"},
-      {"1 \u2013 5", "what to see: charts, curvature, time"},
-      {"Enter", "run to the best balance"},
-      {"F12", "take a picture"}};
-  const float width = std::min(ui.px(400), areaMax.x - areaMin.x - ui.px(24));
+  static constexpr const char* kLines[][2] = {{"Space", "watch it flood"},
+                                              {"1 \u2013 5", "choose what to see"},
+                                              {"Enter", "run to the best balance"},
+                                              {"F12", "take a picture"}};
+  const float width = std::min(ui.px(500), areaMax.x - areaMin.x - ui.px(24));
+  const bool wide = width >= ui.px(480);
   ImGui::SetNextWindowPos({std::round((areaMin.x + areaMax.x) / 2), areaMax.y - ui.px(44)}, 0,
                           {0.5f, 1.0f});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::SetNextWindowBgAlpha(0.94f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(8));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(18), ui.px(14)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(18), ui.px(12)));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.theme.palette.bar);
   ImGui::Begin("first steps", nullptr, kOverlay & ~ImGuiWindowFlags_AlwaysAutoResize);
-  for (const auto& [key, words] : kLines) {
+  const float second = ui.px(236), wordColumn[] = {ui.px(78), ui.px(306)};
+  for (std::size_t i = 0; i < std::size(kLines); ++i) {
+    const std::size_t column = wide ? i % 2 : 0;
+    if (column == 1) ImGui::SameLine(second);
     ImGui::PushFont(ui.theme.strong);
-    ImGui::TextUnformatted(key);
+    ImGui::TextUnformatted(kLines[i][0]);
     ImGui::PopFont();
-    ImGui::SameLine(ui.px(96));
-    ImGui::TextUnformatted(words);
+    ImGui::SameLine(wordColumn[column]);
+    ImGui::TextUnformatted(kLines[i][1]);
   }
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
   ImGui::TextUnformatted("Drop a model anywhere in the window. Any key closes this.");

@@ -1,0 +1,84 @@
+// Nothing is cut off: at the smallest window and all sizes of the interface each widget lies
+// within what can be seen of its panel, and widgets of one line do not overlap.
+
+#include <gtest/gtest.h>
+
+#include "core/session/parameters.h"
+#include "tests/gui/headless_frame.h"
+
+namespace chartflood {
+namespace {
+
+struct Screen {
+  float width, height, scale;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Screen& screen) {
+  return stream << screen.width << "x" << screen.height << " at " << screen.scale;
+}
+
+class Layout : public ::testing::TestWithParam<Screen> {
+ protected:
+  HeadlessFrame ui{{GetParam().width * GetParam().scale, GetParam().height* GetParam().scale},
+                   GetParam().scale};
+};
+
+TEST_P(Layout, BarsAreWhole) {
+  for (const char* label : {"first", "back", "play", "step", "finish", "iteration", "run", "stop",
+                            "speed", "color-mode", "screenshot", "rounds", "scrubber", "view"}) {
+    EXPECT_TRUE(ui.item(label).whole()) << label;
+  }
+}
+
+TEST_P(Layout, ToolsDoNotOverlap) {
+  const char* const kOrder[] = {"first", "back", "play",  "step",       "finish",    "iteration",
+                                "run",   "stop", "speed", "color-mode", "screenshot"};
+  for (std::size_t i = 1; i < std::size(kOrder); ++i) {
+    EXPECT_LE(ui.item(kOrder[i - 1]).max.x, ui.item(kOrder[i]).min.x + 0.5f) << kOrder[i];
+  }
+}
+
+TEST_P(Layout, ParameterRowsAreWholeInWidth) {
+  for (const ParameterInfo& info : parameterTable()) {
+    if (!ui.has(info.id)) continue;  // in a folded section
+    const ProbedItem control = ui.item(info.id);
+    const ProbedItem label = ui.item(std::string("label/") + info.id);
+    EXPECT_GE(label.min.x, label.clipMin.x) << info.id;
+    EXPECT_LE(control.max.x, control.clipMax.x + 0.5f) << info.id;
+    EXPECT_LE(label.max.x, control.min.x + 0.5f) << info.id;
+  }
+}
+
+TEST_P(Layout, TheViewKeepsRoom) {
+  const ProbedItem view = ui.item("view");
+  EXPECT_GT(view.max.x - view.min.x, 240 * GetParam().scale);
+  EXPECT_GT(view.max.y - view.min.y, 240 * GetParam().scale);
+}
+
+TEST_P(Layout, TargetsAreLargeEnough) {
+  for (const char* label : {"first", "play", "charts", "offsets", "color-mode"}) {
+    const ProbedItem item = ui.item(label);
+    EXPECT_GE(item.max.y - item.min.y, 22 * GetParam().scale) << label;
+  }
+}
+
+TEST_P(Layout, ToastsStayInTheView) {
+  ui.state().notices.add(Notice::Kind::Warning,
+                         "3 separate parts: each gets at least one chart, so K was raised to 3.");
+  ui.frames(3);
+  const ProbedItem toast = ui.item("toast 0"), view = ui.item("view");
+  EXPECT_GE(toast.min.x, view.min.x);
+  EXPECT_LE(toast.max.x, view.max.x);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, Layout,
+                         ::testing::Values(Screen{1024, 640, 1}, Screen{1280, 800, 1},
+                                           Screen{1024, 640, 0.75f}, Screen{1024, 640, 1.5f},
+                                           Screen{1024, 640, 2.5f}, Screen{1920, 1080, 1.25f}),
+                         [](const auto& sized) {
+                           return std::to_string(static_cast<int>(sized.param.width)) + "at" +
+                                  std::to_string(static_cast<int>(100 * sized.param.scale));
+                         });
+
+}  // namespace
+}  // namespace chartflood

@@ -1,0 +1,212 @@
+// Each widget emits its action; a drag is one undo step; single keys act only when nothing else
+// owns the keyboard.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/gui/headless_frame.h"
+
+namespace chartflood {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST(Panels, SliderDragSetsTheParameterAndIsOneUndoStep) {
+  HeadlessFrame ui;
+  ui.drag("charts", 0.2f, 0.8f);
+  const int charts = ui.state().document().parameters.charts;
+  EXPECT_NEAR(charts, 40, 3);  // 100 to the power of 0.8
+  EXPECT_EQ(ui.state().undoHistory().size(), 1u);
+  EXPECT_THAT(ui.state().undoHistory().undoName(), StartsWith("Charts: "));
+  ui.key("Ctrl+Z");
+  EXPECT_EQ(ui.state().document().parameters.charts, Parameters{}.charts);
+  ui.key("Ctrl+Shift+Z");
+  EXPECT_EQ(ui.state().document().parameters.charts, charts);
+}
+
+TEST(Panels, DragEmitsDragLinesAndOneFinalLine) {
+  HeadlessFrame ui;
+  ui.drag("sharp-angle", 0.25f, 0.5f);
+  EXPECT_EQ(ui.lastLine(), "set sharp-angle 90");
+  EXPECT_THAT(ui.state().journal().front(), HasSubstr("drag=on"));
+}
+
+TEST(Panels, TwoDragsAreTwoUndoSteps) {
+  HeadlessFrame ui;
+  ui.drag("charts", 0.2f, 0.8f);
+  ui.drag("charts", 0.8f, 0.3f);
+  EXPECT_EQ(ui.state().undoHistory().size(), 2u);
+}
+
+TEST(Panels, TypedValueMayLeaveTheSlider) {
+  HeadlessFrame ui;
+  ui.ctrlClick("charts");
+  ui.type("150");
+  ui.enter();
+  EXPECT_EQ(ui.state().document().parameters.charts, 150);
+}
+
+TEST(Panels, TypedNonsenseIsRefusedWithAToast) {
+  HeadlessFrame ui;
+  ui.ctrlClick("charts");
+  ui.type("many");
+  ui.enter();
+  EXPECT_EQ(ui.state().document().parameters.charts, Parameters{}.charts);
+  ASSERT_EQ(ui.state().notices.toasts().size(), 1u);
+  EXPECT_THAT(ui.state().notices.toasts()[0].text, HasSubstr("charts"));
+}
+
+TEST(Panels, SwitchAndResetOfARow) {
+  HeadlessFrame ui;
+  EXPECT_FALSE(ui.has("reset offsets"));
+  ui.click("offsets");
+  EXPECT_EQ(ui.lastLine(), "set offsets off");
+  EXPECT_FALSE(ui.state().document().parameters.offsets);
+  ui.click("reset offsets");
+  EXPECT_TRUE(ui.state().document().parameters.offsets);
+}
+
+TEST(Panels, PresetFromTheBox) {
+  HeadlessFrame ui;
+  ui.click("preset");
+  ui.frames(2);
+  ui.click("preset/paper");
+  EXPECT_EQ(ui.lastLine(), "preset paper");
+  EXPECT_DOUBLE_EQ(ui.state().document().parameters.offsetDamping, 0.9);
+}
+
+TEST(Panels, ColourModeFromTheBoxAndByKey) {
+  HeadlessFrame ui;
+  ui.click("color-mode");
+  ui.frames(2);
+  ui.click("color-mode balance");
+  EXPECT_EQ(ui.state().view.render.colorMode, ColorMode::Balance);
+  ui.key("3");
+  EXPECT_EQ(ui.state().view.render.colorMode, ColorMode::Gauss);
+  ui.key("Q");
+  EXPECT_EQ(ui.state().view.render.colorMode, ColorMode::GaussVertex);
+}
+
+TEST(Panels, OverlaySwitches) {
+  HeadlessFrame ui({1280, 1100});
+  const bool before = ui.state().view.render.seams;
+  ui.click("seams");
+  EXPECT_EQ(ui.lastLine(), "seams");
+  EXPECT_NE(ui.state().view.render.seams, before);
+}
+
+TEST(Panels, SpeedSliderEndsAtMax) {
+  HeadlessFrame ui;
+  ui.drag("speed", 0.5f, 0.99f);
+  EXPECT_EQ(ui.lastLine(), "speed max");
+  ui.drag("speed", 0.9f, 0.48f);
+  EXPECT_NEAR(ui.state().playback.speed(), 1000, 120);
+}
+
+TEST(Panels, ScrubberSeeksInTheRecord) {
+  HeadlessFrame ui;
+  ui.openFlooded("sphere", 500);
+  ASSERT_TRUE(ui.state().playback.complete());
+  ui.drag("scrubber", 0.9f, 0.5f);
+  const auto half = static_cast<double>(ui.state().playback.capacity()) / 2;
+  EXPECT_NEAR(static_cast<double>(ui.state().playback.playhead()), half, 2);
+  EXPECT_THAT(ui.lastLine(), StartsWith("seek "));
+  EXPECT_FALSE(ui.state().showsFinal());
+}
+
+TEST(Panels, ToolBarStepsAndPlays) {
+  HeadlessFrame ui;
+  ui.openFlooded("sphere", 500);
+  ui.click("first");
+  EXPECT_EQ(ui.state().playback.playhead(), 0u);
+  ui.click("step");
+  EXPECT_EQ(ui.state().playback.playhead(), 1u);
+  ui.click("back");
+  EXPECT_EQ(ui.state().playback.playhead(), 0u);
+  ui.click("play");
+  EXPECT_EQ(ui.lastLine(), "play");
+}
+
+TEST(Panels, ChartTableSelectsAChart) {
+  HeadlessFrame ui;
+  ui.openFlooded("sphere", 500);
+  ui.click("chart/3");
+  EXPECT_EQ(ui.state().selectedChart, 3u);
+  ui.key("]");
+  EXPECT_EQ(ui.state().selectedChart, 4u);
+}
+
+TEST(Panels, BalanceTab) {
+  HeadlessFrame ui;
+  ui.openFlooded("sphere", 500);
+  ui.click("tab/Balance");
+  ui.frames(2);
+  EXPECT_TRUE(ui.has("plot/spread"));
+}
+
+TEST(Panels, ToastsCanBeClosed) {
+  HeadlessFrame ui;
+  ui.state().notices.add(Notice::Kind::Error, "Could not read a.obj: it is empty.");
+  ui.frames(3);
+  ui.click("close-toast 0");
+  EXPECT_TRUE(ui.state().notices.toasts().empty());
+}
+
+TEST(Panels, KeysDoNotActWhileTyping) {
+  HeadlessFrame ui;
+  ui.ctrlClick("charts");
+  const ColorMode before = ui.state().view.render.colorMode;
+  ui.key("4");
+  EXPECT_EQ(ui.state().view.render.colorMode, before);
+}
+
+TEST(Panels, AKeyClosesTheFirstCard) {
+  HeadlessFrame ui;
+  ui.state().panels.firstCard = true;
+  ui.frames(2);
+  EXPECT_TRUE(ui.has("first-steps"));
+  ui.key("2");
+  ui.frames(1);
+  EXPECT_FALSE(ui.state().panels.firstCard);
+}
+
+TEST(Panels, DraggingTheViewTurnsTheCamera) {
+  HeadlessFrame ui;
+  ui.openFlooded("sphere", 500);
+  const double before = ui.state().view.camera.azimuthDegrees();
+  ui.drag("view", 0.3f, 0.5f);
+  EXPECT_GT(std::abs(ui.state().view.camera.azimuthDegrees() - before), 10);
+  EXPECT_EQ(ui.state().undoHistory().size(), 0u);
+}
+
+TEST(Panels, MenuRunsActions) {
+  HeadlessFrame ui;
+  ui.click("menu/View");
+  ui.frames(2);
+  ui.click("menu/seams");
+  EXPECT_EQ(ui.lastLine(), "seams");
+}
+
+TEST(Panels, BrowserOpensAndCloses) {
+  HeadlessFrame ui;
+  ui.key("Ctrl+O");
+  ui.frames(3);
+  EXPECT_TRUE(ui.has("browser-name"));
+  ui.click("close-browser");
+  ui.frames(1);
+  EXPECT_FALSE(ui.has("browser-name"));
+}
+
+TEST(Panels, HiddenPanelsLeaveTheModelAlone) {
+  HeadlessFrame ui;
+  ui.key("F10");
+  ui.frames(2);
+  EXPECT_FALSE(ui.has("charts"));
+  ui.key("F10");
+  ui.frames(2);
+  EXPECT_TRUE(ui.has("charts"));
+}
+
+}  // namespace
+}  // namespace chartflood
