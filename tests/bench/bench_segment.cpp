@@ -1,0 +1,193 @@
+// Time per face of every stage from faces to charts, on growing meshes. Run it on a quiet machine:
+//   build/release/tests/bench_segment
+// `per_face` is what to compare; ratios of one run say more than single figures.
+
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <benchmark/benchmark.h>
+
+#include "core/base/parallel.h"
+#include "core/charts/chart_stats.h"
+#include "core/flood/build_flood_graph.h"
+#include "core/flood/flood.h"
+#include "core/gauss/compute_gauss_area.h"
+#include "core/io/read_mesh.h"
+#include "core/io/samples.h"
+#include "core/model/build_mesh.h"
+#include "core/segment/border_moves.h"
+#include "core/segment/registry.h"
+#include "core/segment/seeds.h"
+
+namespace chartflood {
+namespace {
+
+constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+
+/// A mesh with every stage before the measured one done.
+struct Prepared {
+  std::shared_ptr<const InputMesh> input;
+  SegmentInputs in;
+  std::vector<double> faceGauss;
+  std::vector<Index> seeds;
+  std::vector<double> offsets;
+  std::shared_ptr<const Segmentation> flooded;
+
+  explicit Prepared(std::shared_ptr<const InputMesh> mesh) : input(std::move(mesh)) {
+    in.mesh = buildMesh(input);
+    in.gaussArea = std::make_shared<GaussArea>(computeGaussArea(*in.mesh, 45));
+    in.floodGraph = std::make_shared<FloodGraph>(buildFloodGraph(*in.mesh, *in.gaussArea, {}));
+    faceGauss = faceGaussArea(*in.mesh, *in.gaussArea);
+    Rng rng(1);
+    seeds = placeSeeds(*in.mesh, effectiveChartCount(*in.mesh, 20), {}, rng);
+    offsets.assign(seeds.size(), 0);
+    const auto stepper = findSegmenter("t-flooding")->make(in, {});
+    Progress progress;
+    stepper->advance(StepUnit::Flood, 10, progress);
+    flooded = stepper->state();
+  }
+  double faces() const { return static_cast<double>(in.mesh->faceCount()); }
+};
+
+/// "bumps/20000" is a sample of so many triangles, anything else a file of the folder of meshes.
+const Prepared& prepared(const std::string& name) {
+  static std::map<std::string, std::unique_ptr<Prepared>> made;
+  std::unique_ptr<Prepared>& entry = made[name];
+  if (!entry) {
+    const std::size_t slash = name.find('/');
+    entry = std::make_unique<Prepared>(
+        slash == std::string::npos
+            ? readMesh(std::filesystem::path(CHARTFLOOD_MESHES) / name)
+            : makeSample(name.substr(0, slash), std::stoul(name.substr(slash + 1))));
+  }
+  return *entry;
+}
+
+void perFace(benchmark::State& state, const Prepared& p) {
+  state.counters["ns/face"] =
+      benchmark::Counter(p.faces() * 1e-9, benchmark::Counter::kIsIterationInvariantRate |
+                                               benchmark::Counter::kInvert);
+  state.counters["faces"] = p.faces();
+}
+
+void glue(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  for (auto _ : state) benchmark::DoNotOptimize(buildMesh(p.input));
+  perFace(state, p);
+}
+
+void gaussArea(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  for (auto _ : state) benchmark::DoNotOptimize(computeGaussArea(*p.in.mesh, 45));
+  perFace(state, p);
+}
+
+void floodGraph(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(buildFloodGraph(*p.in.mesh, *p.in.gaussArea, {}));
+  }
+  perFace(state, p);
+}
+
+void seeds(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  for (auto _ : state) {
+    Rng rng(1);
+    benchmark::DoNotOptimize(placeSeeds(*p.in.mesh, 20, {}, rng));
+  }
+  perFace(state, p);
+}
+
+void oneFlood(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  const auto flood = makeFlood(*p.in.floodGraph, p.seeds.size());
+  for (auto _ : state) {
+    flood->start(p.seeds, p.offsets, true, nullptr);
+    flood->advance(kAll, nullptr);
+  }
+  perFace(state, p);
+  state.counters["pushes/face"] = static_cast<double>(flood->counts().pushes) / p.faces();
+  state.counters["pops/face"] = static_cast<double>(flood->counts().pops) / p.faces();
+}
+
+void reposition(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  const auto flood = makeFlood(*p.in.floodGraph, p.seeds.size());
+  flood->start(p.seeds, p.offsets, true, nullptr);
+  flood->advance(kAll, nullptr);
+  for (auto _ : state) benchmark::DoNotOptimize(flood->farthestFromBorder(p.seeds));
+  perFace(state, p);
+}
+
+void borderMoves(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  for (auto _ : state) {
+    BorderMoves moves(*p.in.mesh, *p.in.gaussArea, p.faceGauss, p.flooded->label, p.flooded->seeds,
+                      {.eta = p.in.floodGraph->eta});
+    Progress progress;
+    moves.run(progress);
+    benchmark::DoNotOptimize(moves.moves());
+  }
+  perFace(state, p);
+}
+
+void chartFigures(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  for (auto _ : state) benchmark::DoNotOptimize(measureCharts(*p.in.mesh, *p.flooded));
+  perFace(state, p);
+}
+
+void wholeSegmentation(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  std::size_t rounds = 0;
+  for (auto _ : state) {
+    SegmentOptions options;
+    options.record = false;
+    const auto stepper = findSegmenter("t-flooding")->make(p.in, options);
+    Progress progress;
+    stepper->advance(StepUnit::Converged, 1, progress);
+    rounds = stepper->history().size();
+  }
+  perFace(state, p);
+  state.counters["rounds"] = static_cast<double>(rounds);
+}
+
+void registerAll(const std::string& mesh) {
+  using Stage = void (*)(benchmark::State&, const std::string&);
+  const std::pair<const char*, Stage> stages[] = {
+      {"glue", glue},         {"gauss_area", gaussArea}, {"flood_graph", floodGraph},
+      {"seeds", seeds},       {"flood", oneFlood},       {"reposition", reposition},
+      {"moves", borderMoves}, {"figures", chartFigures}, {"segment", wholeSegmentation}};
+  for (const auto& [name, stage] : stages) {
+    benchmark::RegisterBenchmark((std::string(name) + "/" + mesh).c_str(),
+                                 [stage = stage, mesh](benchmark::State& s) { stage(s, mesh); })
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace
+}  // namespace chartflood
+
+int main(int argc, char** argv) {
+  // One thread unless asked: figures of one thread compare between machines.
+  const char* threads = std::getenv("CHARTFLOOD_THREADS");
+  chartflood::setThreadCount(threads != nullptr ? static_cast<unsigned>(std::atoi(threads)) : 1);
+  for (const char* mesh : {"bumps/20000", "bumps/150000", "bumps/1000000"}) {
+    chartflood::registerAll(mesh);
+  }
+  for (const char* file : {"stanford-bunny.obj", "igea-151558.ply"}) {
+    if (std::filesystem::exists(std::filesystem::path(CHARTFLOOD_MESHES) / file)) {
+      chartflood::registerAll(file);
+    }
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
