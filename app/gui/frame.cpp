@@ -185,7 +185,8 @@ bool Frame::key(const Chord& chord, bool repeated) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool browsing = state_.panels.browse != PanelState::Browse::Nothing;
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
-  if (io.WantTextInput || browsing || popup || !memory_.typing.empty()) return false;
+  const bool quits = chord == Chord{.key = "Q", .ctrl = true};
+  if (!quits && (io.WantTextInput || browsing || popup || !memory_.typing.empty())) return false;
   const bool widgetHasKeys = io.NavVisible && !GImGui->NavDisableHighlight;
   const bool navigates = chord.key == "Space" || chord.key == "Enter" || chord.key == "Left" ||
                          chord.key == "Right" || chord.key == "Esc";

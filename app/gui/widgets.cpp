@@ -158,7 +158,8 @@ void splitter(const Ui& ui, const char* label, ImVec2 position, float height, fl
 }
 
 void fittedText(const Ui& ui, const std::string& text, float width, ImU32 color) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  at.y += GImGui->CurrentWindow->DC.CurrLineTextBaseOffset;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   ImGui::Dummy({std::min(size.x, width), size.y});
   ImGui::PushStyleColor(ImGuiCol_Text, color);

@@ -74,7 +74,8 @@ TEST_P(Layout, ToastsStayInTheView) {
 INSTANTIATE_TEST_SUITE_P(Sizes, Layout,
                          ::testing::Values(Screen{1024, 640, 1}, Screen{1280, 800, 1},
                                            Screen{1024, 640, 0.75f}, Screen{1024, 640, 1.5f},
-                                           Screen{1024, 640, 2.5f}, Screen{1920, 1080, 1.25f}),
+                                           Screen{1024, 640, 2.5f}, Screen{1920, 1080, 1.25f},
+                                           Screen{700, 460, 1}),
                          [](const auto& sized) {
                            return std::to_string(static_cast<int>(sized.param.width)) + "at" +
                                   std::to_string(static_cast<int>(100 * sized.param.scale));

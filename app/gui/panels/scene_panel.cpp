@@ -23,6 +23,21 @@ Pick pickAt(SceneSource* source, const ViewRectangle& view, ImVec2 place) {
                       static_cast<int>((place.y - view.min.y) * scale.y));
 }
 
+/// Notes that the user moved the camera.
+void moved(SceneMouse& mouse) {
+  mouse.movedAt = ImGui::GetTime();
+  mouse.framed = false;
+}
+
+void frameModel(AppState& state, const ViewRectangle& view, SceneMouse& mouse) {
+  const bool resized = mouse.framed && mouse.framedAspect != view.aspect();
+  if (!state.hasMesh() || !(state.view.frameWhenLoaded || resized)) return;
+  state.view.camera.frame(state.results().mesh->positions(), view.aspect());
+  state.view.frameWhenLoaded = false;
+  mouse.framed = true;
+  mouse.framedAspect = view.aspect();
+}
+
 void moveCamera(const Ui& ui, const ViewRectangle& view, SceneMouse& mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 delta = io.MouseDelta;
@@ -34,7 +49,7 @@ void moveCamera(const Ui& ui, const ViewRectangle& view, SceneMouse& mouse) {
   if (motion == CameraMotion::None) return;
   dragCamera(ui.state.view.camera, motion, view, {io.MousePos.x - delta.x, io.MousePos.y - delta.y},
              io.MousePos, ui.state.preferences.invertZoom);
-  mouse.movedAt = ImGui::GetTime();
+  moved(mouse);
 }
 
 void click(const Ui& ui, SceneSource* source, const ViewRectangle& view) {
@@ -76,13 +91,13 @@ void useMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
   if (io.MouseDoubleClicked[0]) {
     if (const Pick pick = pickAt(source, view, io.MousePos); pick.hit()) {
       ui.state.view.camera.target = pick.point;
-      mouse.movedAt = ImGui::GetTime();
+      moved(mouse);
     }
   }
   if (io.MouseWheel != 0) {
     wheelCamera(ui.state.view.camera, view, io.MousePos, io.MouseWheel,
                 ui.state.preferences.invertZoom);
-    mouse.movedAt = ImGui::GetTime();
+    moved(mouse);
   }
   if (mouse.button < 0) hover(ui, source, view, mouse);
 }
@@ -154,10 +169,7 @@ void scenePanel(const Ui& ui, SceneSource* source, SceneMouse& mouse) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
   if (size.x < 8 || size.y < 8) return;
   const ViewRectangle view{low, {low.x + size.x, low.y + size.y}};
-  if (ui.state.view.frameWhenLoaded && ui.state.hasMesh()) {
-    ui.state.view.camera.frame(ui.state.results().mesh->positions(), view.aspect());
-    ui.state.view.frameWhenLoaded = false;
-  }
+  frameModel(ui.state, view, mouse);
   ImGui::InvisibleButton("view", size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);

@@ -15,15 +15,14 @@ namespace chartflood {
 
 namespace {
 
-/// A caption in dim text and its figure behind, in one line.
-void caption(const Ui& ui, const char* title, const std::string& figure) {
+/// A heading and its figure behind it, in one line of the given width.
+void caption(const Ui& ui, const char* title, const std::string& figure, float width) {
   ImGui::PushFont(ui.theme.strong);
   ImGui::TextUnformatted(title);
+  const float used = ImGui::CalcTextSize(title).x + ImGui::GetStyle().ItemSpacing.x;
   ImGui::PopFont();
   ImGui::SameLine();
-  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
-  ImGui::TextUnformatted(figure.c_str());
-  ImGui::PopStyleColor();
+  fittedText(ui, figure, width - used, ui.theme.palette.dim);
 }
 
 std::string percent(double value) {
@@ -130,13 +129,13 @@ void timeline(const Ui& ui) {
   const float left = std::round((width - gap) * 0.42f), right = width - gap - left;
   const float height = ImGui::GetContentRegionAvail().y - ImGui::GetTextLineHeightWithSpacing();
   ImGui::BeginGroup();
-  caption(ui, "Rounds", roundFigure(ui.state.results()));
+  caption(ui, "Rounds", roundFigure(ui.state.results()), left);
   roundStrip(ui, left, height);
   ImGui::EndGroup();
   ImGui::SameLine(0, gap);
   ImGui::BeginGroup();
   caption(ui, "Flood",
-          grouped(playback.playhead()) + " of " + grouped(playback.capacity()) + " faces");
+          grouped(playback.playhead()) + " of " + grouped(playback.capacity()) + " faces", right);
   scrubber(ui, right, height);
   ImGui::EndGroup();
 }

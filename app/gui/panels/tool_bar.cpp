@@ -1,5 +1,6 @@
 // The transport, the speed, the colour mode and the picture button, in one line.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -83,9 +84,10 @@ void toolBar(const Ui& ui) {
   transport(ui, height);
   ImGui::SameLine(0, ui.px(16));
   const float end = ImGui::GetWindowContentRegionMax().x;
-  const float combo = ui.px(210), camera = std::round(height * 1.15f), gap = ui.px(8);
-  const float room = end - combo - camera - 2 * gap - ImGui::GetCursorPosX();
-  speedSlider(ui, std::fmin(ui.px(220), std::fmax(ui.px(90), room - gap)));
+  const float camera = std::round(height * 1.15f), gap = ui.px(8);
+  const float room = end - camera - 3 * gap - ImGui::GetCursorPosX();  // for slider and box
+  const float combo = std::clamp(std::round(room * 0.55f), ui.px(110), ui.px(210));
+  speedSlider(ui, std::clamp(room - combo, ui.px(70), ui.px(220)));
   ImGui::SameLine(end - combo - camera - gap);
   colorModeCombo(ui, combo);
   ImGui::SameLine(0, gap);
