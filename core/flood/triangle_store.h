@@ -79,7 +79,9 @@ class TriangleStore {
       const Word& there = words_[neighbour];
       const int incidences =
           (there.across[0] == chart) + (there.across[1] == chart) + (there.across[2] == chart);
-      if (incidences == 1) offer(neighbour, record.delay[k]);
+      if (incidences == 1 || onlyMeetsHere(record, k, incidences)) {
+        offer(neighbour, record.delay[k]);
+      }
     }
   }
 
@@ -108,6 +110,20 @@ class TriangleStore {
   }
 
  private:
+  /// For faces that share several edges: true when all incidences of the neighbour across side k
+  /// are with this face, and side k is the first of them.
+  static bool onlyMeetsHere(const FloodFace& record, int k, int incidences) {
+    int shared = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (record.neighbour[i] == kNone || record.neighbour[i] >> 2 != record.neighbour[k] >> 2) {
+        continue;
+      }
+      if (shared == 0 && i != k) return false;
+      ++shared;
+    }
+    return shared == incidences;
+  }
+
   struct Word {
     Label own;
     Label across[3];

@@ -167,6 +167,23 @@ TEST(Flood, PolygonsAreNeverSplitAndAllTaken) {
   EXPECT_EQ(labelsOf(*flood), plain);
 }
 
+TEST(Flood, FacesThatShareSeveralEdgesAreReached) {
+  // A pillow: two triangles back to back, glued along all three edges; and one glued along two.
+  const auto pillow = test::meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}});
+  const auto bag = test::meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}},
+                                {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {2, 1, 3}, {0, 3, 2}});
+  for (const auto& mesh : {pillow, bag}) {
+    const std::size_t charts = mesh->componentCount();
+    const Case c(mesh, charts, 1);
+    for (const FloodLayout layout : {FloodLayout::Automatic, FloodLayout::Arcs}) {
+      const FloodGraph graph = buildFloodGraph(*mesh, c.gauss, {}, layout);
+      const auto flood = makeFlood(graph, charts);
+      flood->start(c.seeds, c.offsets, true, nullptr);
+      EXPECT_EQ(flood->advance(kAll, nullptr), mesh->faceCount());
+    }
+  }
+}
+
 TEST(Flood, CancelStopsAndResumes) {
   const Case c(test::sampleMesh("sphere", 60000), 5, 1);
   const FloodGraph graph = buildFloodGraph(*c.mesh, c.gauss, {});
