@@ -22,10 +22,9 @@ struct SampleInfo {
 std::span<const SampleInfo> sampleTable();
 
 /// Makes a sample of about `triangles` triangles (0: its own number): within 10 percent, or the
-/// least that the shape needs. All are manifold, consistently oriented (outwards where closed),
-/// evenly triangulated (but for
-/// the cone, whose edges run into its tip), and the same on every call; y points up and the front
-/// faces z.
+/// least that the shape needs. All are manifold, consistently oriented (outwards where closed) and
+/// the same on every call; y points up and the front faces z. Triangles are even and well shaped,
+/// but for the cone's, whose edges run into its tip.
 /// \throws UsageError for an id that is not in the table
 std::shared_ptr<const InputMesh> makeSample(std::string_view id, std::size_t triangles = 0);
 
