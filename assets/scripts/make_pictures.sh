@@ -10,10 +10,10 @@ mkdir -p "$pictures"
 picture() {
   local name=$1
   shift
-  "$program" --sample=rocket --resolution=560,640 --supersampling=4 --background=transparent \
+  "$program" --sample=rocket --resolution=420,640 --supersampling=4 --background=transparent \
     --scalar-bar=off --output="$pictures/$name.png" "$@"
 }
 
 picture rocket-gauss --color-by=gauss --seams=off --seed-marks=off
-picture rocket-flood --color-by=charts --steps=9000
+picture rocket-flood --color-by=charts --steps=16000
 picture rocket-charts --color-by=charts --seed-marks=off

@@ -267,10 +267,11 @@ TEST_F(Program, PicturesHaveTheSizeAndGroundAskedFor) {
 }
 
 TEST_F(Program, PictureOptionsChangeThePicture) {
+  // Few triangles: edges that are too dense are not drawn.
   const auto picture = [&](const std::string& option) {
     const ProgramRun done =
-        run({"--sample=rocket", "--triangles=6000", "--iterations=1", "--supersampling=1",
-             "--resolution=240,200", "--output=a.png", option});
+        run({"--sample=rocket", "--triangles=2500", "--charts=6", "--iterations=1",
+             "--supersampling=1", "--resolution=300,400", "--output=a.png", option});
     EXPECT_EQ(done.exitCode, 0) << option << ": " << done.errors;
     return file("a.png");
   };
@@ -347,6 +348,23 @@ TEST_F(Program, StandardOutputCarriesNothingButTheReport) {
   ASSERT_EQ(done.exitCode, 0) << done.errors;
   EXPECT_NO_THROW(json::parse(done.output));
   EXPECT_EQ(done.errors.find('\r'), std::string::npos) << "progress without a terminal";
+}
+
+TEST_F(Program, RunsTheCommandsOfTheReadme) {
+  std::istringstream lines(readAll(std::filesystem::path(CHARTFLOOD_SOURCE_ROOT) / "README.md"));
+  const std::string start = "build/release/chartflood ";
+  std::size_t commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(start)) continue;
+    std::istringstream stream(line.substr(start.size()));
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    const ProgramRun done = run(words);
+    EXPECT_EQ(done.exitCode, 0) << line << "\n" << done.errors;
+    ++commands;
+  }
+  EXPECT_GE(commands, 4u);
+  EXPECT_EQ(listing(), (std::vector<std::string>{"flood.png", "rocket.png", "rocket.txt"}));
 }
 
 }  // namespace
