@@ -1,6 +1,7 @@
 #include "render/gl/program.h"
 
-#include <regex>
+#include <sstream>
+#include <string>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -21,12 +22,18 @@ struct FragmentShaderKind {
 };
 
 /// Puts file names in the place of the source numbers in a driver's message ("2:14(3): error").
-std::string nameFiles(std::string message, const ShaderSource& source) {
-  for (std::size_t i = 0; i < source.files.size(); ++i) {
-    const std::regex number("(^|\\n)" + std::to_string(i) + "([:(])");
-    message = std::regex_replace(message, number, "$1" + source.files[i] + "$2");
+std::string nameFiles(const std::string& message, const ShaderSource& source) {
+  std::istringstream lines(message);
+  std::string named, line;
+  while (std::getline(lines, line)) {
+    const std::size_t end = line.find_first_not_of("0123456789");
+    const bool numbered =
+        end != std::string::npos && end > 0 && end < 4 && (line[end] == ':' || line[end] == '(');
+    const std::size_t number = numbered ? std::stoul(line.substr(0, end)) : source.files.size();
+    if (number < source.files.size()) line.replace(0, end, source.files[number]);
+    named += line + "\n";
   }
-  return message;
+  return named;
 }
 
 template <typename Kind>
