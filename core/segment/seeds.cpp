@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <queue>
 #include <string>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -16,12 +18,41 @@ namespace {
 
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
+/// Faces sorted by component, ascending within each.
+struct ComponentFaces {
+  std::vector<Index> begin;  ///< of each component in `faces`, and the end
+  std::vector<Index> faces;
+
+  explicit ComponentFaces(const Mesh& mesh) : begin(mesh.componentCount() + 1, 0) {
+    const auto component = mesh.faceComponent();
+    for (const Index c : component) ++begin[c + 1];
+    for (std::size_t c = 0; c + 1 < begin.size(); ++c) begin[c + 1] += begin[c];
+    std::vector<Index> next(begin.begin(), begin.end() - 1);
+    faces.resize(component.size());
+    for (Index f = 0; f < component.size(); ++f) faces[next[component[f]]++] = f;
+  }
+  std::size_t count(std::size_t component) const { return begin[component + 1] - begin[component]; }
+};
+
 /// Distance of every face to the nearest seed, with the largest of each block of faces at hand.
+/// Blocks never span components.
 class SeedDistances {
  public:
-  explicit SeedDistances(const Mesh& mesh)
-      : mesh_(mesh), centroid_(faceCentroids(mesh)), distance_(mesh.faceCount(), kUnreached),
-        isSeed_(mesh.faceCount(), false), blocks_((mesh.faceCount() + kBlock - 1) / kBlock) {}
+  SeedDistances(const Mesh& mesh, const ComponentFaces& order)
+      : mesh_(mesh), order_(order), centroid_(faceCentroids(mesh)),
+        distance_(mesh.faceCount(), kUnreached), isSeed_(mesh.faceCount(), false),
+        blockOf_(mesh.faceCount()) {
+    for (std::size_t c = 0; c < mesh.componentCount(); ++c) {
+      firstBlock_.push_back(blocks_.size());
+      for (Index i = order.begin[c]; i < order.begin[c + 1]; ++i) {
+        if ((i - order.begin[c]) % kBlock == 0) {
+          blocks_.push_back({.begin = i, .end = std::min(i + kBlock, order.begin[c + 1])});
+        }
+        blockOf_[order.faces[i]] = static_cast<Index>(blocks_.size() - 1);
+      }
+    }
+    firstBlock_.push_back(blocks_.size());
+  }
 
   /// Dijkstra from the new seed, pruned where it brings nothing nearer.
   void add(Index seed) {
@@ -43,12 +74,12 @@ class SeedDistances {
     }
   }
 
-  /// Lowest of the farthest faces that are no seeds.
-  Index farthest() {
+  /// Lowest of the component's farthest faces that are no seeds.
+  Index farthest(std::size_t component) {
     Index best = kNone;
     float bestDistance = -1;
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      if (blocks_[b].stale) scan(b);
+    for (std::size_t b = firstBlock_[component]; b < firstBlock_[component + 1]; ++b) {
+      if (blocks_[b].stale) scan(blocks_[b]);
       if (blocks_[b].face != kNone && blocks_[b].distance > bestDistance) {
         best = blocks_[b].face;
         bestDistance = blocks_[b].distance;
@@ -58,8 +89,9 @@ class SeedDistances {
   }
 
  private:
-  static constexpr std::size_t kBlock = 1024;
+  static constexpr Index kBlock = 1024;
   struct Block {
+    Index begin, end;  ///< in the order by component
     float distance = -1;
     Index face = kNone;  ///< lowest farthest face of the block that is no seed
     bool stale = true;
@@ -67,26 +99,67 @@ class SeedDistances {
 
   void improve(Index face, float distance) {
     distance_[face] = distance;
-    blocks_[face / kBlock].stale = true;
+    blocks_[blockOf_[face]].stale = true;
     heap_.push(timedFace(distance, face));
   }
-  void scan(std::size_t b) {
-    Block block{-1, kNone, false};
-    const std::size_t end = std::min((b + 1) * kBlock, distance_.size());
-    for (std::size_t f = b * kBlock; f < end; ++f) {
-      if (isSeed_[f] || !(distance_[f] > block.distance)) continue;
-      block.distance = distance_[f];
-      block.face = static_cast<Index>(f);
+  void scan(Block& block) {
+    block.distance = -1;
+    block.face = kNone;
+    block.stale = false;
+    for (Index i = block.begin; i < block.end; ++i) {
+      const Index face = order_.faces[i];
+      if (isSeed_[face] || !(distance_[face] > block.distance)) continue;
+      block.distance = distance_[face];
+      block.face = face;
     }
-    blocks_[b] = block;
   }
 
   const Mesh& mesh_;
+  const ComponentFaces& order_;
   std::vector<glm::dvec3> centroid_;
   std::vector<float> distance_;
   std::vector<bool> isSeed_;
+  std::vector<Index> blockOf_;
+  std::vector<std::size_t> firstBlock_;  ///< of each component, and the end
   std::vector<Block> blocks_;
   MinHeap heap_;
+};
+
+/// Says which component gets the next seed.
+class SeedShares {
+ public:
+  SeedShares(const ComponentFaces& order, std::span<const double> weight)
+      : order_(order), weight_(weight), seeds_(weight.size(), 0) {}
+
+  void count(std::size_t component) { ++seeds_[component]; }
+  void begin() {
+    for (std::size_t c = 0; c < seeds_.size(); ++c) offer(c);
+  }
+  /// The component with the largest weight per seed that has a face to spare, lowest on ties.
+  std::size_t next() {
+    const std::size_t component = queue_.top().second;
+    queue_.pop();
+    count(component);
+    offer(component);
+    return component;
+  }
+
+ private:
+  void offer(std::size_t component) {
+    if (seeds_[component] >= order_.count(component)) return;
+    queue_.emplace(weight_[component] / static_cast<double>(seeds_[component]), component);
+  }
+  struct LowestOnTies {
+    using Share = std::pair<double, std::size_t>;
+    bool operator()(const Share& a, const Share& b) const {
+      return a.first != b.first ? a.first < b.first : a.second > b.second;
+    }
+  };
+
+  const ComponentFaces& order_;
+  std::span<const double> weight_;
+  std::vector<std::size_t> seeds_;
+  std::priority_queue<LowestOnTies::Share, std::vector<LowestOnTies::Share>, LowestOnTies> queue_;
 };
 
 void checkGiven(const Mesh& mesh, std::span<const Index> given) {
@@ -106,18 +179,14 @@ void checkGiven(const Mesh& mesh, std::span<const Index> given) {
 }
 
 /// One random face in each component without a seed, components in their order.
-void seedBareComponents(const Mesh& mesh, Rng& rng, std::vector<Index>& seeds) {
-  const auto component = mesh.faceComponent();
+void seedBareComponents(const Mesh& mesh, const ComponentFaces& order, Rng& rng,
+                        std::vector<Index>& seeds) {
   std::vector<bool> seeded(mesh.componentCount(), false);
-  for (const Index seed : seeds) seeded[component[seed]] = true;
-  if (std::find(seeded.begin(), seeded.end(), false) == seeded.end()) return;
-  std::vector<Index> begin(mesh.componentCount() + 1, 0);
-  for (const Index c : component) ++begin[c + 1];
-  for (std::size_t c = 0; c < mesh.componentCount(); ++c) begin[c + 1] += begin[c];
-  std::vector<Index> next(begin.begin(), begin.end() - 1), members(component.size());
-  for (Index f = 0; f < component.size(); ++f) members[next[component[f]]++] = f;
-  for (std::size_t c = 0; c < mesh.componentCount(); ++c) {
-    if (!seeded[c]) seeds.push_back(members[begin[c] + rng.below(begin[c + 1] - begin[c])]);
+  for (const Index seed : seeds) seeded[mesh.faceComponent()[seed]] = true;
+  for (std::size_t c = 0; c < seeded.size(); ++c) {
+    if (seeded[c]) continue;
+    const Index pick = rng.below(static_cast<std::uint32_t>(order.count(c)));
+    seeds.push_back(order.faces[order.begin[c] + pick]);
   }
 }
 
@@ -128,16 +197,22 @@ std::size_t effectiveChartCount(const Mesh& mesh, std::size_t requested) {
 }
 
 std::vector<Index> placeSeeds(const Mesh& mesh, std::size_t count, std::span<const Index> given,
-                              Rng& rng) {
+                              std::span<const double> componentWeight, Rng& rng) {
   checkGiven(mesh, given);
   std::vector<Index> seeds(given.begin(), given.end());
   if (seeds.empty()) seeds.push_back(rng.below(static_cast<std::uint32_t>(mesh.faceCount())));
-  seedBareComponents(mesh, rng, seeds);
+  const ComponentFaces order(mesh);
+  seedBareComponents(mesh, order, rng, seeds);
   if (seeds.size() >= count) return seeds;
-  SeedDistances distances(mesh);
-  for (const Index seed : seeds) distances.add(seed);
+  SeedDistances distances(mesh, order);
+  SeedShares shares(order, componentWeight);
+  for (const Index seed : seeds) {
+    distances.add(seed);
+    shares.count(mesh.faceComponent()[seed]);
+  }
+  shares.begin();
   while (seeds.size() < count) {
-    seeds.push_back(distances.farthest());
+    seeds.push_back(distances.farthest(shares.next()));
     distances.add(seeds.back());
   }
   return seeds;

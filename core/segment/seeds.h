@@ -18,9 +18,13 @@ std::size_t effectiveChartCount(const Mesh& mesh, std::size_t requested);
 /// random face in each component that has none. Then, until there are enough, the face farthest
 /// from all seeds over the dual graph with distances between centroids, lowest number on ties. The
 /// paper grows a chart before each placement; one search from all seeds, updated where a new seed
-/// is nearer, finds the same faces for the price of one or two floods. \throws UsageError when a
-/// given seed is no face of the mesh or is given twice.
+/// is nearer, finds the same faces for the price of one or two floods.
+///
+/// Beyond the paper, for meshes of several components, between which charts cannot move: each
+/// further seed goes to the component with the largest share of `componentWeight` (one value a
+/// component, not negative) per seed, so that charts of all components can come out equal.
+/// \throws UsageError when a given seed is no face of the mesh or is given twice.
 std::vector<Index> placeSeeds(const Mesh& mesh, std::size_t count, std::span<const Index> given,
-                              Rng& rng);
+                              std::span<const double> componentWeight, Rng& rng);
 
 }  // namespace chartflood

@@ -6,6 +6,7 @@
 
 #include "core/base/check.h"
 #include "core/base/rng.h"
+#include "core/flood/build_flood_graph.h"
 #include "core/flood/flood.h"
 #include "core/gauss/compute_gauss_area.h"
 #include "core/segment/balance.h"
@@ -29,7 +30,8 @@ class TFlooding final : public Stepper {
                       options.useOffsets && options.offsetDamping > 0, options.settle}) {
     Rng rng(options.rngSeed);
     const std::size_t wanted = std::max(options.charts, options.seeds.size());
-    seeds_ = placeSeeds(*in_.mesh, effectiveChartCount(*in_.mesh, wanted), options.seeds, rng);
+    seeds_ = placeSeeds(*in_.mesh, effectiveChartCount(*in_.mesh, wanted), options.seeds,
+                        componentWeights(), rng);
     offsets_ = options.offsets;
     offsets_.resize(seeds_.size(), 0);
     flood_ = makeFlood(*in_.floodGraph, seeds_.size());
@@ -100,6 +102,17 @@ class TFlooding final : public Stepper {
     Refining,  ///< the best round is chosen and its borders are being cleaned up
     Done,
   };
+
+  /// What each component has to share out among its charts: Gauss area and a little surface.
+  std::vector<double> componentWeights() const {
+    const Mesh& mesh = *in_.mesh;
+    const auto component = mesh.faceComponent();
+    std::vector<double> weight =
+        chartAreas(mesh, *in_.gaussArea, faceGauss_, component, mesh.componentCount()).gaussArea;
+    const std::vector<double> area = faceAreas(mesh);
+    for (Index f = 0; f < area.size(); ++f) weight[component[f]] += in_.floodGraph->eta * area[f];
+    return weight;
+  }
 
   /// Repeats a step until it is done, cancelled, or everything is finished.
   template <class Step>

@@ -29,6 +29,10 @@ namespace {
 
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
+std::vector<double> equalWeights(const Mesh& mesh) {
+  return std::vector<double>(mesh.componentCount(), 1.0);
+}
+
 /// A mesh with every stage before the measured one done.
 struct Prepared {
   std::shared_ptr<const InputMesh> input;
@@ -44,7 +48,8 @@ struct Prepared {
     in.floodGraph = std::make_shared<FloodGraph>(buildFloodGraph(*in.mesh, *in.gaussArea, {}));
     faceGauss = faceGaussArea(*in.mesh, *in.gaussArea);
     Rng rng(1);
-    seeds = placeSeeds(*in.mesh, effectiveChartCount(*in.mesh, 20), {}, rng);
+    seeds =
+        placeSeeds(*in.mesh, effectiveChartCount(*in.mesh, 20), {}, equalWeights(*in.mesh), rng);
     offsets.assign(seeds.size(), 0);
     const auto stepper = findSegmenter("t-flooding")->make(in, {});
     Progress progress;
@@ -99,7 +104,7 @@ void seeds(benchmark::State& state, const std::string& name) {
   const Prepared& p = prepared(name);
   for (auto _ : state) {
     Rng rng(1);
-    benchmark::DoNotOptimize(placeSeeds(*p.in.mesh, 20, {}, rng));
+    benchmark::DoNotOptimize(placeSeeds(*p.in.mesh, 20, {}, equalWeights(*p.in.mesh), rng));
   }
   perFace(state, p);
 }

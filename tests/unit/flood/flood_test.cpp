@@ -32,6 +32,10 @@ std::vector<Index> labelsOf(const Flood& flood) {
   return labels;
 }
 
+std::vector<double> equalWeights(const Mesh& mesh) {
+  return std::vector<double>(mesh.componentCount(), 1.0);
+}
+
 struct Case {
   std::shared_ptr<const Mesh> mesh;
   GaussArea gauss;
@@ -41,7 +45,7 @@ struct Case {
   Case(std::shared_ptr<const Mesh> m, std::size_t charts, unsigned rngSeed)
       : mesh(std::move(m)), gauss(computeGaussArea(*mesh, 30)) {
     Rng rng(rngSeed);
-    seeds = placeSeeds(*mesh, effectiveChartCount(*mesh, charts), {}, rng);
+    seeds = placeSeeds(*mesh, effectiveChartCount(*mesh, charts), {}, equalWeights(*mesh), rng);
     for (std::size_t i = 0; i < seeds.size(); ++i) offsets.push_back(0.01 * rng.below(100));
   }
 };

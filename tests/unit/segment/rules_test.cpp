@@ -18,6 +18,10 @@
 namespace chartflood {
 namespace {
 
+std::vector<double> equalWeights(const Mesh& mesh) {
+  return std::vector<double>(mesh.componentCount(), 1.0);
+}
+
 TEST(Offsets, PenaliseBySurplusOverTheSmallest) {
   std::vector<double> offsets = {0, 0, 0};
   updateOffsets(offsets, std::vector<double>{1, 3, 2}, 0.5);
@@ -109,7 +113,7 @@ TEST(Seeds, EachIsAmongTheFarthestFaces) {
   for (const char* sample : {"rocket", "tube", "torus"}) {
     const auto mesh = test::sampleMesh(sample, 1500);
     Rng rng(1);
-    const auto seeds = placeSeeds(*mesh, 8, {}, rng);
+    const auto seeds = placeSeeds(*mesh, 8, {}, equalWeights(*mesh), rng);
     ASSERT_EQ(std::set<Index>(seeds.begin(), seeds.end()).size(), 8u);
     for (std::size_t i = 1; i < seeds.size(); ++i) {
       const auto distance = seedDistances(*mesh, std::span(seeds).first(i));
@@ -129,27 +133,50 @@ TEST(Seeds, EveryComponentGetsOne) {
   const auto mesh = test::meshOf(p, faces);
   EXPECT_EQ(effectiveChartCount(*mesh, 5), 30u);
   Rng rng(1);
-  const auto seeds = placeSeeds(*mesh, 30, {}, rng);
+  const auto seeds = placeSeeds(*mesh, 30, {}, equalWeights(*mesh), rng);
   EXPECT_EQ(std::set<Index>(seeds.begin(), seeds.end()).size(), 30u);
+}
+
+TEST(Seeds, GoToTheComponentsWithTheMostToShare) {
+  // Two separate grids; the first has nine times the weight of the second.
+  std::vector<glm::dvec3> p;
+  test::Polygons faces;
+  for (Index part = 0; part < 2; ++part) {
+    const Index base = static_cast<Index>(p.size());
+    for (Index y = 0; y <= 10; ++y) {
+      for (Index x = 0; x <= 10; ++x) p.emplace_back(x + 20 * part, y, 0);
+    }
+    for (Index y = 0; y < 10; ++y) {
+      for (Index x = 0; x < 10; ++x) {
+        const Index a = base + y * 11 + x;
+        faces.push_back({a, a + 1, a + 12, a + 11});
+      }
+    }
+  }
+  const auto mesh = test::meshOf(p, faces);
+  Rng rng(1);
+  const auto seeds = placeSeeds(*mesh, 10, {}, std::vector<double>{9, 1}, rng);
+  EXPECT_EQ(std::count_if(seeds.begin(), seeds.end(), [](Index f) { return f < 100; }), 9);
 }
 
 TEST(Seeds, NeverMoreThanFaces) {
   const auto cube = test::quadCube();
   EXPECT_EQ(effectiveChartCount(*cube, 100), 6u);
   Rng rng(3);
-  const auto seeds = placeSeeds(*cube, 6, {}, rng);
+  const auto seeds = placeSeeds(*cube, 6, {}, equalWeights(*cube), rng);
   EXPECT_EQ(std::set<Index>(seeds.begin(), seeds.end()).size(), 6u);
 }
 
 TEST(Seeds, GivenOnesComeFirst) {
   const auto mesh = test::grid(10, true);
   Rng rng(1);
-  const auto seeds = placeSeeds(*mesh, 3, std::vector<Index>{7, 3}, rng);
+  const auto seeds = placeSeeds(*mesh, 3, std::vector<Index>{7, 3}, equalWeights(*mesh), rng);
   ASSERT_EQ(seeds.size(), 3u);
   EXPECT_EQ(seeds[0], 7u);
   EXPECT_EQ(seeds[1], 3u);
-  EXPECT_THROW(placeSeeds(*mesh, 3, std::vector<Index>{7, 7}, rng), UsageError);
-  EXPECT_THROW(placeSeeds(*mesh, 3, std::vector<Index>{200}, rng), UsageError);
+  EXPECT_THROW(placeSeeds(*mesh, 3, std::vector<Index>{7, 7}, equalWeights(*mesh), rng),
+               UsageError);
+  EXPECT_THROW(placeSeeds(*mesh, 3, std::vector<Index>{200}, equalWeights(*mesh), rng), UsageError);
 }
 
 }  // namespace
