@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kSmoothSamples = 4;
 constexpr double kSmoothWhileMoving = 0.012;  // seconds a smooth picture may take in motion
+constexpr double kCoarseFrom = 0.045;         // slower plain pictures get half the size in motion
+constexpr double kCoarseUntil = 0.012;        // quicker coarse ones get their full size back
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -119,7 +121,12 @@ void SceneView::draw(const Shown& shown) {
   if (!fits) framebuffer_ = gl::Framebuffer(shown.width, shown.height, shown.samples);
   renderer_.draw(framebuffer_, shown.camera, shown.settings);
   glFinish();  // the cost decides on the smoothing of the next pictures
-  if (shown.samples == kSmoothSamples) smoothSeconds_ = secondsSince(start);
+  const double took = secondsSince(start);
+  if (shown.samples == kSmoothSamples) {
+    smoothSeconds_ = took;
+  } else {
+    coarse_ = took > (coarse_ ? kCoarseUntil : kCoarseFrom);
+  }
 }
 
 ImTextureID SceneView::picture(const AppState& state, int width, int height, float pixelScale,
@@ -127,12 +134,16 @@ ImTextureID SceneView::picture(const AppState& state, int width, int height, flo
   takeIn(state);
   width_ = std::max(1, width);
   height_ = std::max(1, height);
-  const Shown wanted{sceneSettings(state, pixelScale),
-                     state.view.camera,
-                     width_,
-                     height_,
-                     samplesFor(moving),
-                     content_};
+  const int samples = samplesFor(moving);
+  const int divisor = coarse_ && samples == 1 ? 2 : 1;
+  Shown wanted{sceneSettings(state, pixelScale / static_cast<float>(divisor)),
+               state.view.camera,
+               std::max(1, width_ / divisor),
+               std::max(1, height_ / divisor),
+               samples,
+               content_};
+  // Where pictures are slow, the mouse passing over the model must not cost one each time.
+  if (smoothSeconds_ > kSmoothWhileMoving) wanted.settings.hoverFace = kNone;
   if (!shown_ || *shown_ != wanted) {
     const gl::FramebufferScope keep;
     draw(wanted);

@@ -86,6 +86,7 @@ class SceneView : public SceneSource {
   std::future<CornerNormals> normals_;
 
   double smoothSeconds_ = 0, pickSeconds_ = 0;
+  bool coarse_ = false;  ///< pictures in motion are drawn at half the size
 };
 
 }  // namespace chartflood

@@ -62,9 +62,13 @@ void hover(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMo
   const ImVec2 place = ImGui::GetIO().MousePos;
   const bool same = place.x == mouse.pickedAt.x && place.y == mouse.pickedAt.y;
   if (same || source == nullptr) return;
-  const bool resting = ImGui::GetIO().MouseDelta.x == 0 && ImGui::GetIO().MouseDelta.y == 0;
-  if (source->pickSeconds() > kQuickPick && (!resting || ui.state.playback.playing())) {
-    return ui.wakeIn(kSettleSeconds);
+  const double now = ImGui::GetTime();
+  if (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0)
+    mouse.restingSince = now;
+  if (source->pickSeconds() > kQuickPick) {
+    const double rested = now - mouse.restingSince;
+    if (ui.state.playback.playing()) return;
+    if (rested < kSettleSeconds) return ui.wakeIn(kSettleSeconds - rested);
   }
   mouse.pickedAt = place;
   ui.state.hoveredFace = pickAt(source, view, place).face;
