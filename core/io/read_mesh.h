@@ -22,7 +22,8 @@ namespace chartflood {
 /// \param progress may be null; its phase is "Reading". Cancelling returns null.
 /// \throws ReadError for anything that cannot be read as a mesh: not a regular file, not readable,
 ///   an unsupported format, broken content (with its line or byte), no faces.
-/// Cost: about 1 s per GB of binary PLY or STL, 2 s per GB of text, plus reading from disk.
+/// Cost: about 1 s per GB of binary PLY and 3 s per GB of text or binary STL (whose corners have to
+/// be joined), plus reading from disk.
 std::shared_ptr<const InputMesh> readMesh(const std::filesystem::path& file,
                                           Progress* progress = nullptr);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -84,6 +85,9 @@ bool ObjReader::skipContinuation() {
 }
 
 void ObjReader::skipBlanks() {
+  // Nearly always one blank between two words.
+  if (p_ < end_ && *p_ == ' ') ++p_;
+  if (p_<end_&& * p_> ' ' && *p_ != '\\') return;
   while (p_ < end_ && (atBlank() || skipContinuation())) {
     if (atBlank()) ++p_;
     if (p_ == end_) return;
@@ -91,6 +95,10 @@ void ObjReader::skipBlanks() {
 }
 
 void ObjReader::skipLine(bool continues) {
+  if (p_ < end_ && *p_ == lineEnd_) {
+    ++p_;
+    return;
+  }
   while (p_ < end_) {
     const void* found = std::memchr(p_, lineEnd_, static_cast<std::size_t>(end_ - p_));
     if (found == nullptr) {
@@ -201,6 +209,17 @@ Index ObjReader::readCorner(Early& early) {
 /// The number of a vertex, counted from 0; one that has not come yet is kept in `early`, counted
 /// from 1.
 std::int64_t ObjReader::readVertexNumber(std::int64_t& early) {
+  // Plain short numbers of vertices that came before: nearly all.
+  const char* p = p_;
+  std::uint32_t plain = 0;
+  while (p < end_ && p - p_ < 9 && static_cast<unsigned char>(*p - '0') < 10) {
+    plain = 10 * plain + static_cast<unsigned char>(*p++ - '0');
+  }
+  const bool ended = p < end_ && (*p == ' ' || *p == '/' || *p == '\n');
+  if (ended && plain - 1 < mesh_.positions.size()) {
+    p_ = p;
+    return plain - 1;
+  }
   const IntegerResult number = parseInteger(p_, end_);
   if (number.status == NumberStatus::NotANumber) {
     source_.failAtLine(p_, "has " + quotedWord(p_, end_) + " where a vertex number is expected");
