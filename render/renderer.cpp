@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/check.h"
@@ -21,7 +23,8 @@ constexpr glm::vec3 kClay(0.800f, 0.790f, 0.770f);
 constexpr glm::vec3 kCalm(0.560f, 0.565f, 0.575f);  // the ground of discs and lines
 constexpr glm::vec3 kDry(0.4157f);                  // 6A6A6A
 constexpr std::size_t kDense = 100'000;  // triangles from which light at their corners is enough
-constexpr float kFrontShare = 0.01f;     // of all faces are bright behind the playhead
+constexpr std::size_t kFirstPiece = 16'000;  // triangles, while nothing is known of the driver
+constexpr float kFrontShare = 0.01f;         // of all faces are bright behind the playhead
 
 bool isDistortion(ColorMode mode) {
   return mode == ColorMode::Stretch || mode == ColorMode::AreaDistortion ||
@@ -63,6 +66,7 @@ Renderer::Renderer()
 }
 
 void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* normals) {
+  unfinished_.reset();
   mesh_ = std::move(mesh);
   surface_.reset();
   charts_.reset();
@@ -79,6 +83,7 @@ void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* no
 }
 
 void Renderer::setNormals(const CornerNormals* normals) {
+  unfinished_.reset();
   if (mesh_) surface_.emplace(*mesh_, normals);
 }
 
@@ -233,39 +238,84 @@ void Renderer::draw(const gl::Framebuffer& target, const Camera& camera,
 
 void Renderer::draw(const gl::Framebuffer& target, const Camera& camera,
                     const RenderSettings& settings, const PicturePart& part) {
+  beginDrawing(target, camera, settings, part);
+  continueDrawing(std::numeric_limits<double>::infinity());
+}
+
+void Renderer::beginDrawing(const gl::Framebuffer& target, const Camera& camera,
+                            const RenderSettings& settings, const PicturePart& part) {
   CF_CHECK(part.width == target.width() && part.height == target.height());
   const gl::FramebufferScope keep;
-  const Frame frame{settings, makeEye(camera, bounds_, part)};
   lastSettings_ = settings;
   if (mesh_) charts_->update(settings, flood_->longestTime());
-  useColorMap(settings);
-
+  unfinished_.emplace(Unfinished{&target, camera, settings, part, 0, kFirstPiece});
   target.bindForDrawing();
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
-  glDepthFunc(GL_LEQUAL);
   glClearColor(0, 0, 0, 0);
   glClearDepth(1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  drawBackground(frame);
+  drawBackground({settings, makeEye(camera, bounds_, part)});
+}
+
+bool Renderer::continueDrawing(double seconds) {
+  if (!unfinished_) return true;
+  const gl::FramebufferScope keep;
+  Unfinished& picture = *unfinished_;
+  const Frame frame{picture.settings, makeEye(picture.camera, bounds_, picture.part)};
+  useColorMap(picture.settings);
+  picture.target->bindForDrawing();
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LEQUAL);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // colours are premultiplied
-  if (mesh_) {
-    drawSurface(frame);
+  const bool ready = drawSurfacePieces(frame, picture, seconds);
+  if (ready && mesh_) {
     glDepthMask(GL_FALSE);
     drawLines(frame);
     drawMarks(frame);
     glDepthMask(GL_TRUE);
-    drawOverlay(frame, camera);
+    drawOverlay(frame, picture.camera);
   }
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glUseProgram(0);
   glActiveTexture(GL_TEXTURE0);
-  target.resolve();
+  if (!ready) return false;
+  picture.target->resolve();
+  unfinished_.reset();
+  return true;
+}
+
+/// True when the whole surface is drawn.
+bool Renderer::drawSurfacePieces(const Frame& frame, Unfinished& picture, double seconds) {
+  if (!mesh_) return true;
+  if (seconds == std::numeric_limits<double>::infinity()) {
+    drawSurface(frame, picture.nextTriangle, mesh_->triangleCount());
+    return true;
+  }
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const Clock::time_point start = Clock::now();
+  while (picture.nextTriangle < mesh_->triangleCount()) {
+    const Clock::time_point pieceStart = Clock::now();
+    picture.nextTriangle = drawSurface(frame, picture.nextTriangle, picture.pieceSize);
+    glFinish();
+    // Three pieces in the time that there is, so that it is not missed by much.
+    const double share = seconds / 3 / std::max(since(pieceStart), 1e-6);
+    picture.pieceSize = static_cast<std::size_t>(std::clamp(
+        static_cast<double>(picture.pieceSize) * std::clamp(share, 0.3, 4.0), 2000.0, 1e9));
+    if (since(start) >= seconds * 2 / 3) break;
+  }
+  return picture.nextTriangle >= mesh_->triangleCount();
 }
 
 void Renderer::drawBackground(const Frame& frame) {
@@ -342,7 +392,8 @@ void Renderer::setFill(gl::Program& program, const Frame& frame) {
   }
 }
 
-void Renderer::drawSurface(const Frame& frame) {
+std::size_t Renderer::drawSurface(const Frame& frame, std::size_t first, std::size_t count) {
+  const std::size_t end = first + std::min(count, mesh_->triangleCount() - first);
   const RenderSettings& settings = frame.settings;
   gl::Program& program = surfaceProgram(settings);
   program.use();
@@ -372,10 +423,12 @@ void Renderer::drawSurface(const Frame& frame) {
   const bool hovers = settings.hoverFace < mesh_->faceCount();
   program.set("uHoverFirst", hovers ? mesh_->triangleBegin(settings.hoverFace) : 0u);
   program.set("uHoverEnd", hovers ? mesh_->triangleBegin(settings.hoverFace + 1) : 0u);
+  program.set("uFirstTriangle", static_cast<int>(first));
   program.set("uOutside", surface_->insideOut() ? -1.0f : 1.0f);
   glEnable(GL_DEPTH_TEST);
   // The inside of a closed surface is seen only where charts are hidden.
-  surface_->draw(settings.hiddenCharts.empty());
+  surface_->draw(settings.hiddenCharts.empty(), first, end - first);
+  return end;
 }
 
 void Renderer::drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths,

@@ -92,6 +92,17 @@ class Renderer {
   void draw(const gl::Framebuffer& target, const Camera& camera, const RenderSettings& settings,
             const PicturePart& part);
 
+  /// Begins a picture that continueDrawing() draws piece by piece, so that a slow driver never
+  /// holds up the caller. An unfinished one is dropped, as it is by draw() and by another mesh. The
+  /// framebuffer must stay where it is until then.
+  void beginDrawing(const gl::Framebuffer& target, const Camera& camera,
+                    const RenderSettings& settings, const PicturePart& part);
+  /// Goes on for about so many seconds, by what the driver has really done; true when the picture
+  /// is ready or none was begun.
+  bool continueDrawing(double seconds);
+  /// True while a picture waits for continueDrawing().
+  bool drawing() const { return unfinished_.has_value(); }
+
   /// What lies under pixel (x, y), counted from the top left, of a picture. Charts that the last
   /// draw() hid are seen through.
   Pick pick(const Camera& camera, int width, int height, int x, int y);
@@ -117,8 +128,20 @@ class Renderer {
     Eye eye;
   };
 
+  /// A picture on its way.
+  struct Unfinished {
+    const gl::Framebuffer* target;
+    Camera camera;
+    RenderSettings settings;
+    PicturePart part;
+    std::size_t nextTriangle = 0;
+    std::size_t pieceSize;  ///< triangles, by what the last piece took
+  };
+
   void drawBackground(const Frame& frame);
-  void drawSurface(const Frame& frame);
+  /// Draws up to so many triangles from `first` on; returns the first one that is left.
+  std::size_t drawSurface(const Frame& frame, std::size_t first, std::size_t count);
+  bool drawSurfacePieces(const Frame& frame, Unfinished& picture, double seconds);
   int fillNumber(const RenderSettings& settings) const;
   gl::Program& surfaceProgram(const RenderSettings& settings);
   void setFill(gl::Program& program, const Frame& frame);
@@ -154,6 +177,7 @@ class Renderer {
   RenderSettings lastSettings_;  // of the last picture: what is hidden there cannot be picked
   std::vector<SeedMark> seedMarks_;
   std::vector<glm::vec4> uploadedSeeds_;
+  std::optional<Unfinished> unfinished_;
 };
 
 }  // namespace chartflood

@@ -109,11 +109,12 @@ SurfaceMesh::SurfaceMesh(const Mesh& mesh, const CornerNormals* normals)
   innerSides_.upload<std::uint8_t>(GL_R8UI, innerSides(mesh));
 }
 
-void SurfaceMesh::draw(bool outsideAlone) const {
+void SurfaceMesh::draw(bool outsideAlone, std::size_t first, std::size_t count) const {
   glFrontFace(insideOut_ ? GL_CW : GL_CCW);
   if (culled_ && outsideAlone) glEnable(GL_CULL_FACE);
   glBindVertexArray(vertexArray_.id());
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangleCount_), GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(3 * first * sizeof(Index)));
   glBindVertexArray(0);
   glDisable(GL_CULL_FACE);
   glFrontFace(GL_CCW);

@@ -27,7 +27,9 @@ class SurfaceMesh {
   bool culled() const { return culled_; }
   /// Draws all triangles with the program in use (attributes 0: place, 1: normal), those seen from
   /// inside only where `outsideAlone` is false or the surface is open.
-  void draw(bool outsideAlone) const;
+  void draw(bool outsideAlone) const { draw(outsideAlone, 0, triangleCount_); }
+  /// The same for the triangles [first, first + count); shaders count primitives from 0 again.
+  void draw(bool outsideAlone, std::size_t first, std::size_t count) const;
   /// Makes vertices (RGBA32F), indices (R32UI) and inner sides (R8UI) readable by shaders.
   void bindArrays(GLuint vertexUnit, GLuint indexUnit, GLuint innerSideUnit) const;
 

@@ -43,6 +43,8 @@ uniform usamplerBuffer uInnerSides;  // bit i: side i is inside a polygon
 uniform samplerBuffer uCornerUv;     // three texture places a triangle
 uniform float uCheckerSquares;       // per unit of uv
 
+uniform int uFirstTriangle;  // of the part of the mesh that is drawn
+
 uniform uint uHoverFirst;  // triangles [first, end) under the pointer
 uniform uint uHoverEnd;
 
@@ -145,7 +147,7 @@ vec3 lit(vec3 color) {
 }
 
 void main() {
-  int triangle = gl_PrimitiveID;
+  int triangle = gl_PrimitiveID + uFirstTriangle;
 #ifdef FLOOD
   uvec2 taken = texelFetch(uFlood, triangle).rg;
   uint order = taken.r;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kSmoothSamples = 4;
 constexpr double kSmoothWhileMoving = 0.012;  // seconds a smooth picture may take in motion
+constexpr double kSecondsAPass = 0.012;       // of drawing before the window is looked after
 constexpr double kCoarseFrom = 0.045;         // slower plain pictures get half the size in motion
 constexpr double kCoarseUntil = 0.012;        // quicker coarse ones get their full size back
 
@@ -114,23 +115,37 @@ int SceneView::samplesFor(bool moving) const {
   return moving && smoothSeconds_ > kSmoothWhileMoving ? 1 : kSmoothSamples;
 }
 
-void SceneView::draw(const Shown& shown) {
+void SceneView::begin(const Shown& wanted) {
+  const bool fits = back_.width() == wanted.width && back_.height() == wanted.height &&
+                    backSamples_ == wanted.samples;
+  if (!fits) back_ = gl::Framebuffer(wanted.width, wanted.height, wanted.samples);
+  backSamples_ = wanted.samples;
+  renderer_.beginDrawing(back_, wanted.camera, wanted.settings,
+                         PicturePart::whole(wanted.width, wanted.height));
+  pending_ = wanted;
+  pendingSeconds_ = 0;
+}
+
+/// Draws on; when the picture is finished it is the one to show.
+void SceneView::goOn() {
   const auto start = std::chrono::steady_clock::now();
-  const bool fits = framebuffer_.width() == shown.width && framebuffer_.height() == shown.height &&
-                    shown_ && shown_->samples == shown.samples;
-  if (!fits) framebuffer_ = gl::Framebuffer(shown.width, shown.height, shown.samples);
-  renderer_.draw(framebuffer_, shown.camera, shown.settings);
-  glFinish();  // the cost decides on the smoothing of the next pictures
-  const double took = secondsSince(start);
-  if (shown.samples == kSmoothSamples) {
-    smoothSeconds_ = took;
+  const bool ready = renderer_.continueDrawing(kSecondsAPass);
+  if (ready) glFinish();  // the cost decides on the smoothing of the next pictures
+  pendingSeconds_ += secondsSince(start);
+  if (!ready) return;
+  if (pending_->samples == kSmoothSamples) {
+    smoothSeconds_ = pendingSeconds_;
   } else {
-    coarse_ = took > (coarse_ ? kCoarseUntil : kCoarseFrom);
+    coarse_ = pendingSeconds_ > (coarse_ ? kCoarseUntil : kCoarseFrom);
   }
+  std::swap(front_, back_);
+  std::swap(frontSamples_, backSamples_);
+  shown_ = std::exchange(pending_, std::nullopt);
 }
 
 ImTextureID SceneView::picture(const AppState& state, int width, int height, float pixelScale,
                                bool moving) {
+  const gl::FramebufferScope keep;
   takeIn(state);
   width_ = std::max(1, width);
   height_ = std::max(1, height);
@@ -144,12 +159,16 @@ ImTextureID SceneView::picture(const AppState& state, int width, int height, flo
                content_};
   // Where pictures are slow, the mouse passing over the model must not cost one each time.
   if (smoothSeconds_ > kSmoothWhileMoving) wanted.settings.hoverFace = kNone;
-  if (!shown_ || *shown_ != wanted) {
-    const gl::FramebufferScope keep;
-    draw(wanted);
-    shown_ = wanted;
-  }
-  return textureId(framebuffer_.texture());
+  // A picture under way is finished even when a newer one is wanted, or none would ever be while
+  // things move; only a smooth one gives way to motion.
+  const bool gone = pending_ && !renderer_.drawing();
+  const bool tooFine = pending_ && samples < pending_->samples && *pending_ != wanted;
+  if (gone || tooFine) pending_.reset();
+  if (!pending_ && (!shown_ || *shown_ != wanted)) begin(wanted);
+  if (pending_) goOn();
+  if (pending_ || *shown_ != wanted) wake_();
+  if (!shown_) return textureId(back_.texture());
+  return textureId(front_.texture());
 }
 
 Pick SceneView::pick(int x, int y) {

@@ -1,6 +1,7 @@
 #pragma once
 /// The 3D view's picture: keeps the renderer's copy of the results up to date and draws only when
-/// something that can be seen has changed.
+/// something that can be seen has changed. A slow picture is drawn piece by piece behind the last
+/// finished one, so that the window always answers.
 
 #include <cstdint>
 #include <functional>
@@ -66,13 +67,17 @@ class SceneView : public SceneSource {
   void takeNormals(const Results& results);
   void takeFlood(const Results& results);
   int samplesFor(bool moving) const;
-  void draw(const Shown& shown);
+  void begin(const Shown& wanted);
+  void goOn();
 
   Renderer renderer_;
   std::function<void()> wake_;
-  gl::Framebuffer framebuffer_;
-  std::optional<Shown> shown_;
-  std::uint64_t content_ = 0;  ///< grows with every upload
+  gl::Framebuffer front_, back_;            ///< what is shown, and what is being drawn
+  std::optional<Shown> shown_;              ///< in front_
+  std::optional<Shown> pending_;            ///< begun in back_
+  int frontSamples_ = 0, backSamples_ = 0;  ///< as asked for: drivers may give others
+  double pendingSeconds_ = 0;               ///< that the pending one has taken so far
+  std::uint64_t content_ = 0;               ///< grows with every upload
   int width_ = 1, height_ = 1;
 
   std::shared_ptr<const Mesh> mesh_;
