@@ -47,54 +47,61 @@ std::vector<double> smoothDensity(const Mesh& mesh, const GaussArea& gauss) {
   return amount;
 }
 
-GaussLayer::GaussLayer(const Mesh& mesh, const GaussArea& gauss) {
-  uploadFaces(mesh, gauss);
-  uploadEdges(mesh, gauss);
-  uploadVertices(mesh, gauss);
-}
+namespace {
 
-void GaussLayer::uploadFaces(const Mesh& mesh, const GaussArea& gauss) {
+void fillFaces(const Mesh& mesh, const GaussArea& gauss, GaussValues& out) {
   const std::vector<double> density = smoothDensity(mesh, gauss);
   std::vector<WeightedValue> weighted;
   weighted.reserve(density.size());
   for (std::size_t t = 0; t < density.size(); ++t) {
     weighted.push_back({density[t], mesh.triangleArea()[t]});
   }
-  faceRange_ = rangeFromZero(weighted);
-  const std::vector<float> values(density.begin(), density.end());
-  faceValues_.upload<float>(GL_R32F, values);
+  out.faceRange = rangeFromZero(weighted);
+  out.faces.assign(density.begin(), density.end());
 }
 
-void GaussLayer::uploadEdges(const Mesh& mesh, const GaussArea& gauss) {
-  edgeCount_ = gauss.sharpEdges.size();
-  std::vector<glm::vec4> ends;
+void fillEdges(const Mesh& mesh, const GaussArea& gauss, GaussValues& out) {
   std::vector<WeightedValue> weighted;
-  ends.reserve(2 * edgeCount_);
-  for (std::size_t i = 0; i < edgeCount_; ++i) {
+  out.edges.reserve(2 * gauss.sharpEdges.size());
+  for (std::size_t i = 0; i < gauss.sharpEdges.size(); ++i) {
     const glm::dvec3& a = mesh.positions()[mesh.sideStart(gauss.sharpEdges[i])];
     const glm::dvec3& b = mesh.positions()[mesh.sideEnd(gauss.sharpEdges[i])];
     const double length = std::max(glm::distance(a, b), 1e-12);
     const double value = gauss.edge[i] / length;
     weighted.push_back({value, length});
-    ends.emplace_back(glm::vec3(a), static_cast<float>(value));
-    ends.emplace_back(glm::vec3(b), 0.0f);
+    out.edges.emplace_back(glm::vec3(a), static_cast<float>(value));
+    out.edges.emplace_back(glm::vec3(b), 0.0f);
   }
-  edgeRange_ = rangeFromZero(weighted);
-  edges_.upload<glm::vec4>(GL_RGBA32F, ends);
+  out.edgeRange = rangeFromZero(weighted);
 }
 
-void GaussLayer::uploadVertices(const Mesh& mesh, const GaussArea& gauss) {
-  vertexCount_ = gauss.corners.size();
-  std::vector<glm::vec4> points;
+void fillVertices(const Mesh& mesh, const GaussArea& gauss, GaussValues& out) {
   std::vector<WeightedValue> weighted;
-  for (std::size_t i = 0; i < vertexCount_; ++i) {
-    points.emplace_back(glm::vec3(mesh.positions()[gauss.corners[i]]),
-                        static_cast<float>(gauss.corner[i]));
-    points.emplace_back(0.0f);
+  for (std::size_t i = 0; i < gauss.corners.size(); ++i) {
+    out.vertices.emplace_back(glm::vec3(mesh.positions()[gauss.corners[i]]),
+                              static_cast<float>(gauss.corner[i]));
+    out.vertices.emplace_back(0.0f);
     weighted.push_back({gauss.corner[i], 1});
   }
-  vertexRange_ = rangeFromZero(weighted);
-  vertices_.upload<glm::vec4>(GL_RGBA32F, points);
+  out.vertexRange = rangeFromZero(weighted);
+}
+
+}  // namespace
+
+GaussValues gaussValues(const Mesh& mesh, const GaussArea& gauss) {
+  GaussValues values;
+  fillFaces(mesh, gauss, values);
+  fillEdges(mesh, gauss, values);
+  fillVertices(mesh, gauss, values);
+  return values;
+}
+
+GaussLayer::GaussLayer(const GaussValues& values)
+    : faceRange_(values.faceRange), edgeRange_(values.edgeRange), vertexRange_(values.vertexRange),
+      edgeCount_(values.edges.size() / 2), vertexCount_(values.vertices.size() / 2) {
+  faceValues_.upload<float>(GL_R32F, values.faces);
+  edges_.upload<glm::vec4>(GL_RGBA32F, values.edges);
+  vertices_.upload<glm::vec4>(GL_RGBA32F, values.vertices);
 }
 
 }  // namespace chartflood

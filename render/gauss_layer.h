@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <glm/vec4.hpp>
+
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "render/gl/objects.h"
@@ -18,11 +20,21 @@ namespace chartflood {
 /// larger than that. Sums over the surface stay as they are. Cost: linear, at most 40 rounds.
 std::vector<double> smoothDensity(const Mesh& mesh, const GaussArea& gauss);
 
-/// Values, all for the mesh scaled to a bounding box diagonal d = 1: triangles carry steradians per
-/// area, creases steradians per length, corners steradians.
+/// What a GaussLayer shows, worked out on any thread. All values are for the mesh scaled to a
+/// bounding box diagonal d = 1: triangles carry steradians per area, creases steradians per length,
+/// corners steradians.
+struct GaussValues {
+  ScalarRange faceRange, edgeRange, vertexRange;
+  std::vector<float> faces;         ///< one a triangle
+  std::vector<glm::vec4> edges;     ///< (start, value), (end, 0) of each crease
+  std::vector<glm::vec4> vertices;  ///< (place, value), (0, 0, 0, 0) of each corner
+};
+GaussValues gaussValues(const Mesh& mesh, const GaussArea& gauss);
+
+/// The values on the graphics card.
 class GaussLayer {
  public:
-  GaussLayer(const Mesh& mesh, const GaussArea& gauss);
+  explicit GaussLayer(const GaussValues& values);
 
   const ScalarRange& faceRange() const { return faceRange_; }
   const ScalarRange& edgeRange() const { return edgeRange_; }
@@ -37,10 +49,6 @@ class GaussLayer {
   void bindVertices(GLuint unit) const { vertices_.bind(unit); }
 
  private:
-  void uploadFaces(const Mesh& mesh, const GaussArea& gauss);
-  void uploadEdges(const Mesh& mesh, const GaussArea& gauss);
-  void uploadVertices(const Mesh& mesh, const GaussArea& gauss);
-
   ScalarRange faceRange_, edgeRange_, vertexRange_;
   std::size_t edgeCount_ = 0, vertexCount_ = 0;
   gl::TextureBuffer faceValues_, edges_, vertices_;

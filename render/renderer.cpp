@@ -89,7 +89,35 @@ void Renderer::setNormals(const CornerNormals* normals) {
 
 void Renderer::setGaussArea(const GaussArea* gaussArea) {
   gauss_.reset();
-  if (mesh_ && gaussArea) gauss_.emplace(*mesh_, *gaussArea);
+  if (mesh_ && gaussArea) gauss_.emplace(gaussValues(*mesh_, *gaussArea));
+}
+
+void Renderer::setGaussValues(const GaussValues& values) {
+  if (mesh_) gauss_.emplace(values);
+}
+
+void Renderer::warmUp(const RenderSettings& settings, std::span<const int> samples) {
+  if (!mesh_) return;
+  constexpr int kSize = 8;
+  const Camera camera;
+  for (const int count : samples) {
+    const gl::Framebuffer target(kSize, kSize, count);
+    for (const bool playing : {false, true}) {
+      RenderSettings wanted = settings;
+      wanted.playhead.reset();
+      if (playing) wanted.playhead = 1;
+      beginDrawing(target, camera, wanted, PicturePart::whole(kSize, kSize));
+      const gl::FramebufferScope keep;
+      target.bindForDrawing();
+      useColorMap(wanted);
+      glEnable(GL_BLEND);
+      glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      drawSurface({wanted, makeEye(camera, bounds_, unfinished_->part)}, 0, 1);
+      glDisable(GL_BLEND);
+      glFinish();
+      unfinished_.reset();
+    }
+  }
 }
 
 void Renderer::setSegmentation(const Segmentation* segmentation) {

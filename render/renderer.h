@@ -67,6 +67,8 @@ class Renderer {
   /// Normals after a change of the crease angle.
   void setNormals(const CornerNormals* normals);
   void setGaussArea(const GaussArea* gaussArea);
+  /// The same with the values worked out before, on any thread.
+  void setGaussValues(const GaussValues& values);
   void setSegmentation(const Segmentation* segmentation);
   /// Follows a record from its beginning; updateFlood() uploads what was added since.
   void setFlood(std::shared_ptr<const FloodRecord> record);
@@ -100,6 +102,9 @@ class Renderer {
   /// Goes on for about so many seconds, by what the driver has really done; true when the picture
   /// is ready or none was begun.
   bool continueDrawing(double seconds);
+  /// Has the driver translate the shaders that these settings need, with and without a playhead:
+  /// software drivers take a tenth of a second for each, which nobody should wait for in a flood.
+  void warmUp(const RenderSettings& settings, std::span<const int> samples);
   /// True while a picture waits for continueDrawing().
   bool drawing() const { return unfinished_.has_value(); }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSmoothSamples = 4;
 constexpr double kSmoothWhileMoving = 0.012;  // seconds a smooth picture may take in motion
-constexpr double kSecondsAPass = 0.012;       // of drawing before the window is looked after
+constexpr double kSecondsAtOnce = 0.012;      // of drawing before the window is looked after
 constexpr double kCoarseFrom = 0.045;         // slower plain pictures get half the size in motion
 constexpr double kCoarseUntil = 0.012;        // quicker coarse ones get their full size back
 
@@ -21,7 +21,8 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-bool isReady(const std::future<CornerNormals>& future) {
+template <class Value>
+bool isReady(const std::future<Value>& future) {
   return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
@@ -44,30 +45,33 @@ void SceneView::takeMesh(const Results& results) {
   if (results.mesh == mesh_) return;
   mesh_ = results.mesh;
   renderer_.setMesh(mesh_, nullptr);
-  gaussArea_.reset();
   segmentation_.reset();
   record_.reset();
   seeds_.clear();
-  normalsAngle_ = -1;
   ++content_;
 }
 
-void SceneView::takeNormals(const Results& results) {
-  if (isReady(normals_)) {
-    const CornerNormals normals = normals_.get();
-    if (normalsMesh_ == mesh_) renderer_.setNormals(&normals);
-    ++content_;
+void SceneView::takeDerived(const Results& results) {
+  if (isReady(derived_)) {
+    const Derived derived = derived_.get();
+    if (derived.mesh == mesh_) {
+      renderer_.setNormals(&derived.normals);
+      renderer_.setGaussValues(derived.gaussValues);
+      const int samples[] = {1, kSmoothSamples};
+      if (warmedFor_ != mesh_) renderer_.warmUp(RenderSettings{}, samples);
+      warmedFor_ = mesh_;
+      ++content_;
+    }
   }
-  if (!mesh_ || !results.gaussArea || normals_.valid()) return;
-  const double angle = results.gaussArea->sharpAngle;
-  if (angle == normalsAngle_ && normalsMesh_ == mesh_) return;
-  normalsAngle_ = angle;
-  normalsMesh_ = mesh_;
-  normals_ = std::async(std::launch::async, [mesh = mesh_, angle, wake = wake_] {
-    CornerNormals normals = computeCornerNormals(*mesh, angle);
-    wake();
-    return normals;
-  });
+  if (!results.gaussArea || results.gaussArea == derivedFrom_ || derived_.valid()) return;
+  derivedFrom_ = results.gaussArea;
+  derived_ =
+      std::async(std::launch::async, [mesh = mesh_, gaussArea = results.gaussArea, wake = wake_] {
+        Derived derived{mesh, gaussArea, computeCornerNormals(*mesh, gaussArea->sharpAngle),
+                        gaussValues(*mesh, *gaussArea)};
+        wake();
+        return derived;
+      });
 }
 
 void SceneView::takeFlood(const Results& results) {
@@ -97,12 +101,7 @@ void SceneView::takeIn(const AppState& state) {
   const Results& results = state.results();
   takeMesh(results);
   if (!mesh_) return;
-  if (results.gaussArea != gaussArea_) {
-    gaussArea_ = results.gaussArea;
-    renderer_.setGaussArea(gaussArea_.get());
-    ++content_;
-  }
-  takeNormals(results);
+  takeDerived(results);
   if (results.segmentation != segmentation_) {
     segmentation_ = results.segmentation;
     renderer_.setSegmentation(segmentation_.get());
@@ -126,27 +125,32 @@ void SceneView::begin(const Shown& wanted) {
   pendingSeconds_ = 0;
 }
 
-/// Draws on; when the picture is finished it is the one to show.
-void SceneView::goOn() {
+bool SceneView::goOn() {
+  if (!pending_) return false;
   const auto start = std::chrono::steady_clock::now();
-  const bool ready = renderer_.continueDrawing(kSecondsAPass);
+  const bool ready = renderer_.continueDrawing(kSecondsAtOnce);
   if (ready) glFinish();  // the cost decides on the smoothing of the next pictures
   pendingSeconds_ += secondsSince(start);
-  if (!ready) return;
+  if (!ready) return false;
   if (pending_->samples == kSmoothSamples) {
     smoothSeconds_ = pendingSeconds_;
   } else {
     coarse_ = pendingSeconds_ > (coarse_ ? kCoarseUntil : kCoarseFrom);
   }
+  lastSeconds_ = pendingSeconds_;
   std::swap(front_, back_);
   std::swap(frontSamples_, backSamples_);
   shown_ = std::exchange(pending_, std::nullopt);
+  return true;
 }
 
 ImTextureID SceneView::picture(const AppState& state, int width, int height, float pixelScale,
                                bool moving) {
   const gl::FramebufferScope keep;
-  takeIn(state);
+  // A picture under way shows the data that it was begun with, and is finished even when a newer
+  // one is wanted: while things move none would ever be otherwise. Only another mesh ends it.
+  if (!pending_ || state.results().mesh != mesh_) takeIn(state);
+  if (pending_ && !renderer_.drawing()) pending_.reset();
   width_ = std::max(1, width);
   height_ = std::max(1, height);
   const int samples = samplesFor(moving);
@@ -159,16 +163,14 @@ ImTextureID SceneView::picture(const AppState& state, int width, int height, flo
                content_};
   // Where pictures are slow, the mouse passing over the model must not cost one each time.
   if (smoothSeconds_ > kSmoothWhileMoving) wanted.settings.hoverFace = kNone;
-  // A picture under way is finished even when a newer one is wanted, or none would ever be while
-  // things move; only a smooth one gives way to motion.
-  const bool gone = pending_ && !renderer_.drawing();
-  const bool tooFine = pending_ && samples < pending_->samples && *pending_ != wanted;
-  if (gone || tooFine) pending_.reset();
-  if (!pending_ && (!shown_ || *shown_ != wanted)) begin(wanted);
-  if (pending_) goOn();
-  if (pending_ || *shown_ != wanted) wake_();
-  if (!shown_) return textureId(back_.texture());
-  return textureId(front_.texture());
+  // A smooth picture gives way to motion.
+  if (pending_ && samples < pending_->samples && *pending_ != wanted) pending_.reset();
+  if (!pending_ && (!shown_ || *shown_ != wanted)) {
+    begin(wanted);
+    // Quick drivers finish it at once; slow ones go on after the window was looked after.
+    if (lastSeconds_ < kSecondsAtOnce) goOn();
+  }
+  return textureId(shown_ ? front_.texture() : back_.texture());
 }
 
 Pick SceneView::pick(int x, int y) {

@@ -14,6 +14,7 @@
 
 #include "app/host/app_state.h"
 #include "core/model/corner_normals.h"
+#include "render/gauss_layer.h"
 #include "render/gl/framebuffer.h"
 #include "render/renderer.h"
 
@@ -46,6 +47,11 @@ class SceneView : public SceneSource {
   Pick pick(int x, int y) override;
   double pickSeconds() const override { return pickSeconds_; }
 
+  /// True while a slow picture is on its way: call goOn() until it is done.
+  bool busy() const { return pending_.has_value(); }
+  /// Draws on for a moment; true when there is a new picture to show.
+  bool goOn();
+
   Renderer& renderer() { return renderer_; }
   /// Size of the last picture.
   int width() const { return width_; }
@@ -64,11 +70,10 @@ class SceneView : public SceneSource {
 
   void takeIn(const AppState& state);
   void takeMesh(const Results& results);
-  void takeNormals(const Results& results);
+  void takeDerived(const Results& results);
   void takeFlood(const Results& results);
   int samplesFor(bool moving) const;
   void begin(const Shown& wanted);
-  void goOn();
 
   Renderer renderer_;
   std::function<void()> wake_;
@@ -81,16 +86,23 @@ class SceneView : public SceneSource {
   int width_ = 1, height_ = 1;
 
   std::shared_ptr<const Mesh> mesh_;
-  std::shared_ptr<const GaussArea> gaussArea_;
   std::shared_ptr<const Segmentation> segmentation_;
   std::shared_ptr<const FloodRecord> record_;
   std::size_t recorded_ = 0;
   std::vector<Index> seeds_;
-  double normalsAngle_ = -1;
-  std::shared_ptr<const Mesh> normalsMesh_;
-  std::future<CornerNormals> normals_;
+  /// What drawing needs beside the results, worked out by a thread of its own.
+  struct Derived {
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const GaussArea> gaussArea;
+    CornerNormals normals;
+    GaussValues gaussValues;
+  };
+  std::future<Derived> derived_;
+  std::shared_ptr<const GaussArea> derivedFrom_;  ///< of the last one asked for
 
-  double smoothSeconds_ = 0, pickSeconds_ = 0;
+  std::shared_ptr<const Mesh> warmedFor_;  ///< whose shaders are translated
+
+  double smoothSeconds_ = 0, lastSeconds_ = 0, pickSeconds_ = 0;
   bool coarse_ = false;  ///< pictures in motion are drawn at half the size
 };
 

@@ -25,7 +25,8 @@ namespace chartflood {
 namespace {
 
 constexpr double kFrameSeconds = 1.0 / 60;
-constexpr int kSettlingFrames = 3;  // Dear ImGui needs some frames to answer an event
+constexpr double kPassWithPicture = 0.035;  // longer passes leave the 3D view for the next
+constexpr int kSettlingFrames = 3;          // Dear ImGui needs some frames to answer an event
 constexpr int kLeastWidth = 640, kLeastHeight = 480;
 
 std::atomic<bool> wokenByWorker{false};
@@ -135,12 +136,20 @@ class Window::Parts {
     double last = now();
     while (glfwWindowShouldClose(window_.get()) == GLFW_FALSE && !state_.requests.quit) {
       wait();
-      if (!due()) continue;
       const double start = now();
-      pass(start - last);
-      last = start;
-      passSeconds_ = now() - start;
-      if (frameLog_) frameLog_ << passSeconds_ << '\n' << std::flush;
+      if (due()) {
+        pass(start - last);
+        last = start;
+        passSeconds_ = now() - start;
+      } else if (!scene_.busy()) {
+        continue;
+      }
+      // A slow picture grows in turn with the window's own passes, and is shown by the next one.
+      const bool late = now() - start > kPassWithPicture;
+      const bool leave = late && !pictureWaited_;
+      pictureWaited_ = leave;
+      if (!leave && scene_.goOn()) framesLeft_ = std::max(framesLeft_, 1);
+      if (frameLog_) frameLog_ << now() - start << '\n' << std::flush;
     }
     rememberSize();
   }
@@ -177,7 +186,7 @@ class Window::Parts {
 
   void wait() {
     const double wake = std::min(frame_.wakeIn(), deadline_ - now());
-    if (framesLeft_ > 0) {
+    if (framesLeft_ > 0 || scene_.busy()) {
       glfwPollEvents();
     } else if (frame_.wakeIn() <= 0) {
       glfwWaitEventsTimeout(std::max(0.0005, kFrameSeconds - passSeconds_));
@@ -289,6 +298,7 @@ class Window::Parts {
   int framesLeft_ = kSettlingFrames;
   double deadline_ = 0;
   double passSeconds_ = 0;
+  bool pictureWaited_ = false;  ///< the 3D view was left for the next turn
 };
 
 Window::Parts::Callbacks::Callbacks(Parts& parts) {
