@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include <epoxy/gl.h>
+
 #include "app/gui/imgui_gl.h"
 #include "core/gauss/sector_normals.h"
 
@@ -138,6 +140,10 @@ bool SceneView::goOn() {
     coarse_ = pendingSeconds_ > (coarse_ ? kCoarseUntil : kCoarseFrom);
   }
   lastSeconds_ = pendingSeconds_;
+  // Only a picture of half the size is enlarged; pixel by pixel the nearest texel is exact and cheap.
+  const bool enlarged = pending_->width < width_;
+  glBindTexture(GL_TEXTURE_2D, back_.texture());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, enlarged ? GL_LINEAR : GL_NEAREST);
   std::swap(front_, back_);
   std::swap(frontSamples_, backSamples_);
   shown_ = std::exchange(pending_, std::nullopt);

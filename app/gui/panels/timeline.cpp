@@ -117,7 +117,8 @@ std::string roundFigure(const Results& results) {
   const IterationSummary& best = results.history[results.bestIteration];
   return std::to_string(rounds) + " of at most " +
          std::to_string(results.parameters.maxIterations) + "   best " +
-         std::to_string(results.bestIteration + 1) + " with spread " + percent(best.stdOverMean);
+         std::to_string(results.bestIteration + 1) + " with spread " + percent(best.stdOverMean) +
+         (results.segmentation && results.segmentation->refined ? " before tidying" : "");
 }
 
 }  // namespace
