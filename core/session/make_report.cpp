@@ -86,7 +86,7 @@ InputReport inputReport(const Mesh& mesh) {
   report.file = mesh.input().file;
   report.faces = mesh.input().faceCount();
   report.triangles = mesh.triangleCount();
-  report.vertices = mesh.vertexCount();
+  report.vertices = mesh.input().positions.size();
   report.components = mesh.componentCount();
   report.boundaryLoops = mesh.boundaryLoopCount();
   report.genus = mesh.genus();

@@ -81,7 +81,7 @@ void headers(const Ui& ui) {
   const ImGuiTableColumnFlags fixed = ImGuiTableColumnFlags_WidthStretch;
   ImGui::TableSetupColumn("#", fixed | ImGuiTableColumnFlags_DefaultSort, 0.75f);
   ImGui::TableSetupColumn("Faces", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.15f);
-  ImGui::TableSetupColumn("Gauss", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.2f);
+  ImGui::TableSetupColumn("Gauss sr", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.45f);
   ImGui::TableSetupColumn("Share", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);
   ImGui::TableSetupColumn("Border", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.3f);
   ImGui::TableSetupColumn("Disk", fixed, 0.85f);

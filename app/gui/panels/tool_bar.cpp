@@ -32,7 +32,7 @@ std::string speedLine(double fraction) {
 std::string speedText(const Playback& playback) {
   const double speed = playback.speed();
   if (speed > Playback::kFastest) return "as fast as can be";
-  return grouped(static_cast<std::size_t>(std::lround(speed))) + " / s";
+  return grouped(static_cast<std::size_t>(std::lround(speed))) + " faces/s";
 }
 
 void speedSlider(const Ui& ui, float width) {
