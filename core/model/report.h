@@ -17,7 +17,7 @@ namespace chartflood {
 /// What the input file holds.
 struct InputReport {
   std::string file;
-  std::size_t faces = 0;  ///< as the file lists them, dropped ones included
+  std::size_t faces = 0;     ///< as the file lists them, dropped ones included
   std::size_t vertices = 0;  ///< as the file lists them, unused ones included, copies left out
   std::size_t triangles = 0, components = 0, boundaryLoops = 0;
   long genus = 0;

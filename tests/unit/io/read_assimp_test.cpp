@@ -2,14 +2,6 @@
 
 #include "io_support.h"
 
-/// Asked for by the leak sanitizer where the program is built with it.
-extern "C" const char* __lsan_default_suppressions();  // NOLINT: its name, not ours
-
-/// The import library does not free all it took for a file that it refuses; no leak of ours.
-extern "C" const char* __lsan_default_suppressions() {  // NOLINT: the sanitizer's own name
-  return "leak:libassimp";
-}
-
 namespace chartflood::test {
 namespace {
 
