@@ -48,6 +48,8 @@ class Stepper {
   /// Index into history() of the best round so far; 0 when there is none yet.
   virtual std::size_t bestIteration() const = 0;
   virtual StopReason stopReason() const = 0;
+  /// True once advance() has returned Finished: the state is the final one.
+  virtual bool finished() const = 0;
 
   /// Floods a round of the history again and makes it the present state, as if it had just been
   /// finished; later rounds stay in the history.

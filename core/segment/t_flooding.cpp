@@ -76,6 +76,7 @@ class TFlooding final : public Stepper {
   std::span<const IterationSummary> history() const override { return history_; }
   std::size_t bestIteration() const override { return convergence_.best(); }
   StopReason stopReason() const override { return stopReason_; }
+  bool finished() const override { return phase_ == Phase::Done; }
 
   StepOutcome adopt(std::size_t iteration, Progress& progress) override {
     CF_CHECK(iteration < history_.size());

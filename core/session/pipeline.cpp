@@ -74,10 +74,7 @@ void Pipeline::makeGraph(Progress& progress) {
   timing_.floodGraph = millisecondsSince(start);
 }
 
-bool Pipeline::finished() const {
-  return segmentation_ != nullptr && stepper_ != nullptr &&
-         stepper_->stopReason() != StopReason::NotStopped;
-}
+bool Pipeline::finished() const { return stepper_ != nullptr && stepper_->finished(); }
 
 void Pipeline::reviseSeeds(const Document& before) {
   const Parameters& now = document_.parameters;
@@ -147,8 +144,8 @@ void Pipeline::noteFlood(const FloodStart& start) {
 
 StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress) {
   const Clock::time_point start = Clock::now();
-  const bool over = stepper_ && finished() && segmentation_->complete && segmentation_->refined;
-  if (!stepper_ || over) {
+  // Who steps on from finished charts wants more rounds: these begin from the best one's seeds.
+  if (!stepper_ || finished()) {
     progress.beginPhase("Placing seeds");
     makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
   }

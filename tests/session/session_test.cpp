@@ -163,6 +163,20 @@ TEST_P(SessionWith, CleanUpSliderTidiesAgain) {
   EXPECT_EQ(session_.results()->segmentation->label, run->segmentation->label);
 }
 
+TEST_P(SessionWith, GoesOnFromFinishedCharts) {
+  openSample("bumps", 5000);
+  for (const char* refine : {"moves", "none"}) {
+    Document document = session_.document();
+    document.parameters.refine = refine;
+    session_.setDocument(document, false);
+    const auto run = after(StepUnit::Converged);
+    const auto on = after(StepUnit::Flood, 2);
+    EXPECT_EQ(on->history.size(), 2u) << refine;
+    EXPECT_EQ(on->stopReason, StopReason::NotStopped);
+    EXPECT_EQ(on->history[0].seeds, run->history[run->bestIteration].seeds);
+  }
+}
+
 TEST_P(SessionWith, ResetsAndAdopts) {
   openSample("bumps", 5000);
   const auto first = after(StepUnit::Flood);
