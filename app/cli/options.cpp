@@ -56,7 +56,7 @@ void readSteps(const Tokens& tokens, Invocation& call) {
 
 std::filesystem::path readFileName(const Tokens& tokens, const std::string& option,
                                    const std::string& extension) {
-  const std::filesystem::path file = tokens.text(option);
+  std::filesystem::path file = tokens.text(option);
   if (!tokens.has(option)) return file;
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {

@@ -153,8 +153,9 @@ void FileBrowser::drawRecent(const Ui& ui) {
   ImGui::PopStyleColor();
   const std::vector<std::string> recent = ui.state.preferences.recentFiles;
   for (const std::string& file : recent) {
-    const std::string name = std::filesystem::path(file).filename().string();
-    if (ImGui::Selectable((name + "##" + file).c_str())) choose(ui, file);
+    std::string label = std::filesystem::path(file).filename().string();
+    label.append("##").append(file);
+    if (ImGui::Selectable(label.c_str())) choose(ui, file);
     tooltip(ui, file, "", file);
   }
 }

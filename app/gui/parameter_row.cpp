@@ -137,7 +137,7 @@ void numberControl(const Ui& ui, const ParameterInfo& info, double value, bool c
   slider.moved = [&](double fraction, bool dragging) {
     ui.run(setLine(info, textOf(sliderValue(info, fraction)), dragging));
   };
-  slider.typed = [&](std::string text) {
+  slider.typed = [&](const std::string& text) {
     const std::size_t unit = text.find("\u00b0");
     ui.run(setLine(info, text.substr(0, unit), false));
   };

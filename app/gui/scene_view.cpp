@@ -140,7 +140,8 @@ bool SceneView::goOn() {
     coarse_ = pendingSeconds_ > (coarse_ ? kCoarseUntil : kCoarseFrom);
   }
   lastSeconds_ = pendingSeconds_;
-  // Only a picture of half the size is enlarged; pixel by pixel the nearest texel is exact and cheap.
+  // Only a picture of half the size is enlarged; pixel by pixel the nearest texel is exact and
+  // cheap.
   const bool enlarged = pending_->width < width_;
   glBindTexture(GL_TEXTURE_2D, back_.texture());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, enlarged ? GL_LINEAR : GL_NEAREST);

@@ -53,7 +53,7 @@ void begin(AppState& state, const WindowOptions& options) {
 
 int runWindow(const WindowOptions& options) {
   const ActionRegistry actions = makeActionRegistry();
-  AppState state(Session::Worker::Threaded);
+  AppState state(Session::Worker::Background);
   loadPreferences(state);
   {
     Window window(

@@ -19,7 +19,8 @@ void ActionRegistry::bind(std::string_view chord, std::string_view line) {
   const Chord parsed = parseChord(chord);
   CF_CHECK(findBinding(parsed) == nullptr);
   const Command command = parseCommand(line);
-  Arguments(command.action, at(command.action).arguments, command.arguments);
+  // Throws when the line's arguments are not the action's.
+  const Arguments checked(command.action, at(command.action).arguments, command.arguments);
   bindings_.push_back({parsed, std::string(line)});
 }
 

@@ -45,7 +45,7 @@ std::string causeOf(int error) {
 std::filesystem::path resolved(const std::filesystem::path& target) {
   std::error_code error;
   if (!std::filesystem::is_symlink(target, error)) return target;
-  const std::filesystem::path real = std::filesystem::weakly_canonical(target, error);
+  std::filesystem::path real = std::filesystem::weakly_canonical(target, error);
   if (error) throw WriteError(target.string(), causeOf(error.value()));
   return real;
 }

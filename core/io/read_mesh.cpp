@@ -95,7 +95,7 @@ std::string supportedList() {
 
 std::string formatOf(const std::filesystem::path& file, const Source& source) {
   const std::string dotted = lowered(file.extension().string());
-  const std::string extension = dotted.empty() ? dotted : dotted.substr(1);
+  std::string extension = dotted.empty() ? dotted : dotted.substr(1);
   const auto known = std::find_if(kFormats.begin(), kFormats.end(), [&](const MeshFormat& format) {
     return extension == format.extension;
   });

@@ -20,7 +20,7 @@ std::uint64_t hashOf(const glm::dvec3& p) {
 
 /// By bits, so that a position that is not a number equals itself.
 bool sameBits(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  return std::memcmp(&a, &b, sizeof a) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
 }  // namespace

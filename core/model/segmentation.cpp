@@ -4,12 +4,18 @@ namespace chartflood {
 
 const char* stopReasonId(StopReason reason) {
   switch (reason) {
-    case StopReason::NotStopped: return "not-stopped";
-    case StopReason::Converged: return "converged";
-    case StopReason::Cycle: return "cycle";
-    case StopReason::MaxIterations: return "max-iterations";
-    case StopReason::NoImprovement: return "no-improvement";
-    case StopReason::Cancelled: return "cancelled";
+  case StopReason::NotStopped:
+    return "not-stopped";
+  case StopReason::Converged:
+    return "converged";
+  case StopReason::Cycle:
+    return "cycle";
+  case StopReason::MaxIterations:
+    return "max-iterations";
+  case StopReason::NoImprovement:
+    return "no-improvement";
+  case StopReason::Cancelled:
+    return "cancelled";
   }
   return "";
 }

@@ -27,8 +27,12 @@ double now() {
 }
 }  // namespace
 
-JobQueue::JobQueue(bool threaded) : threaded_(threaded) {
-  if (threaded) thread_ = std::thread([this] { workerLoop(); });
+JobQueue::JobQueue(Thread thread) : threaded_(thread != Thread::Callers) {
+  if (!threaded_) return;
+  thread_ = std::thread([this, background = thread == Thread::OwnInBackground] {
+    if (background) workBehindTheWindow();
+    workerLoop();
+  });
 }
 
 JobQueue::~JobQueue() {
@@ -84,7 +88,6 @@ JobQueue::Status JobQueue::status() const {
 }
 
 void JobQueue::workerLoop() {
-  workBehindTheWindow();
   std::unique_lock lock(mutex_);
   while (true) {
     wake_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });

@@ -19,7 +19,8 @@ class JobQueue {
   enum class Kind { Open, Apply, Step };
   using Job = std::function<void(Progress&)>;
 
-  explicit JobQueue(bool threaded);
+  enum class Thread { Own, OwnInBackground, Callers };
+  explicit JobQueue(Thread thread);
   /// Cancels everything and waits for the running job to end.
   ~JobQueue();
   JobQueue(const JobQueue&) = delete;

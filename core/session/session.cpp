@@ -15,6 +15,20 @@
 
 namespace chartflood {
 
+namespace {
+JobQueue::Thread threadFor(Session::Worker worker) {
+  switch (worker) {
+  case Session::Worker::Threaded:
+    return JobQueue::Thread::Own;
+  case Session::Worker::Background:
+    return JobQueue::Thread::OwnInBackground;
+  case Session::Worker::Inline:
+    break;
+  }
+  return JobQueue::Thread::Callers;
+}
+}  // namespace
+
 /// The parts behind a Session: what the caller's thread owns, what the worker owns, and between
 /// them, under one mutex, what is published.
 class Session::Engine {
@@ -22,7 +36,7 @@ class Session::Engine {
   explicit Engine(Worker worker)
       : pipeline_({[this](const FloodStart& start) { publishFlood(start); },
                    [this](Notice notice) { post(std::move(notice)); }}),
-        results_(std::make_shared<const Results>()), queue_(worker == Worker::Threaded) {}
+        results_(std::make_shared<const Results>()), queue_(threadFor(worker)) {}
 
   // Called from the caller's thread.
 

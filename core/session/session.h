@@ -76,7 +76,11 @@ struct WorkStatus {
 /// replaces the one that waits; one that makes the running one pointless cancels it.
 class Session {
  public:
-  enum class Worker { Threaded, Inline };
+  enum class Worker {
+    Threaded,    ///< a thread of its own
+    Background,  ///< the same, behind threads that answer the user where cores are few
+    Inline,      ///< the caller's thread
+  };
   explicit Session(Worker worker);
   ~Session();
   Session(const Session&) = delete;

@@ -41,10 +41,12 @@ class SessionWith : public testing::TestWithParam<Session::Worker> {
   }
 };
 INSTANTIATE_TEST_SUITE_P(Workers, SessionWith,
-                         testing::Values(Session::Worker::Threaded, Session::Worker::Inline),
+                         testing::Values(Session::Worker::Threaded, Session::Worker::Background,
+                                         Session::Worker::Inline),
                          [](const auto& instance) {
-                           return instance.param == Session::Worker::Threaded ? "Threaded"
-                                                                              : "Inline";
+                           if (instance.param == Session::Worker::Inline) return "Inline";
+                           const bool plain = instance.param == Session::Worker::Threaded;
+                           return plain ? "Threaded" : "Background";
                          });
 
 TEST_P(SessionWith, OpensAndMeasures) {

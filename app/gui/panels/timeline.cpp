@@ -105,7 +105,7 @@ void scrubber(const Ui& ui, float width, float height) {
     const double share =
         std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - low.x) / width), 0.0, 1.0);
     const auto count =
-        std::min(playback.recorded(), static_cast<std::size_t>(share * capacity + 0.5));
+        std::min(playback.recorded(), static_cast<std::size_t>(std::lround(share * capacity)));
     if (count != playback.playhead()) ui.run("seek " + std::to_string(count));
   }
   tooltip(ui, "scrubber", "Flood", "Drag to any moment of this flood. Nothing is computed again.");
