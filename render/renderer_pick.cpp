@@ -152,7 +152,8 @@ std::vector<ChartLabel> Renderer::chartLabels(const Camera& camera, const Render
   for (std::size_t i = 0; i < chart.size(); ++i) {
     if (chart[i] == kNone || distance[i] <= best[chart[i]].room) continue;
     const auto column = static_cast<float>(i % static_cast<std::size_t>(w));
-    const auto row = static_cast<float>(i / static_cast<std::size_t>(w));
+    const std::size_t line = i / static_cast<std::size_t>(w);
+    const auto row = static_cast<float>(line);
     best[chart[i]] = {chart[i], {column + 0.5f, row + 0.5f}, distance[i]};
   }
   std::erase_if(best, [](const ChartLabel& label) { return label.chart == kNone; });

@@ -1,6 +1,7 @@
 #include "app/cli/info.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <numbers>
@@ -64,8 +65,10 @@ std::string gaussText(const GaussArea& gauss) {
   text += formatted("    edges         %.6f sr on %zu sharp edges\n", gauss.edgeTotal,
                     gauss.sharpEdges.size());
   text += formatted("    triangles     %.6f sr\n", gauss.triangleTotal);
-  text += formatted("    signed total  %.6f sr, %.6f times 4 pi\n", gauss.signedTotal,
-                    gauss.signedTotal / (4 * std::numbers::pi));
+  // Rounded as printed, so that a vanishing total has no minus sign.
+  const double signedTotal = std::abs(gauss.signedTotal) < 5e-7 ? 0 : gauss.signedTotal;
+  text += formatted("    signed total  %.6f sr, %.6f times 4 pi\n", signedTotal,
+                    signedTotal / (4 * std::numbers::pi));
   return text;
 }
 

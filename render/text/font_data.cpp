@@ -16,12 +16,14 @@ chartfloodInterSemiBoldEnd:
 .popsection
 )");
 
+// NOLINTBEGIN(readability-identifier-naming): symbols of the assembler text above
 extern "C" {
 extern const unsigned char chartfloodInterRegular[];
 extern const unsigned char chartfloodInterRegularEnd[];
 extern const unsigned char chartfloodInterSemiBold[];
 extern const unsigned char chartfloodInterSemiBoldEnd[];
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace chartflood {
 

@@ -97,8 +97,8 @@ void GlyphAtlas::place(const std::vector<float>& fine, int width, int height, Gl
       const std::size_t i = (static_cast<std::size_t>(y) * kFiner + kFiner / 2 - 1) * row +
                             static_cast<std::size_t>(x) * kFiner + kFiner / 2 - 1;
       const float mean = 0.25f * (fine[i] + fine[i + 1] + fine[i + row] + fine[i + row + 1]);
-      pixels_[static_cast<std::size_t>((penY_ + y) * kTextureSize + penX_ + x)] =
-          level(mean / kFiner);
+      const int pixel = (penY_ + y) * kTextureSize + penX_ + x;
+      pixels_[static_cast<std::size_t>(pixel)] = level(mean / kFiner);
     }
   }
   glyph.width = static_cast<float>(width) / kEm;
