@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSmoothSamples = 4;
 constexpr double kSmoothWhileMoving = 0.012;  // seconds a smooth picture may take in motion
-constexpr double kSecondsAtOnce = 0.012;      // of drawing before the window is looked after
+constexpr double kSecondsAtOnce = 0.009;      // of drawing before the window is looked after
 constexpr double kCoarseFrom = 0.045;         // slower plain pictures get half the size in motion
 constexpr double kCoarseUntil = 0.012;        // quicker coarse ones get their full size back
 

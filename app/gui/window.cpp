@@ -25,7 +25,7 @@ namespace chartflood {
 namespace {
 
 constexpr double kFrameSeconds = 1.0 / 60;
-constexpr double kPassWithPicture = 0.035;  // longer passes leave the 3D view for the next
+constexpr double kPassWithPicture = 0.024;  // longer passes leave the 3D view for the next
 constexpr int kSettlingFrames = 3;          // Dear ImGui needs some frames to answer an event
 constexpr int kLeastWidth = 640, kLeastHeight = 480;
 
