@@ -28,16 +28,17 @@ void FloodLayer::follow(std::shared_ptr<const FloodRecord> record) {
   order_.upload<glm::uvec2>(GL_RG32UI, orderAndChart_, GL_DYNAMIC_DRAW);
   time_.upload<float>(GL_R32F, timeOf_, GL_DYNAMIC_DRAW);
   seams_.upload<glm::vec4>(GL_RGBA32F, {}, GL_DYNAMIC_DRAW);
-  update();
 }
 
-void FloodLayer::update() {
-  if (!record_) return;
-  const std::size_t size = record_->size();
-  if (size == taken_) return;
+bool FloodLayer::update(std::size_t most) {
+  if (!record_) return true;
+  const std::size_t published = record_->size();
+  const std::size_t size = taken_ + std::min(most, published - taken_);
+  if (size == taken_) return true;
   for (std::size_t i = taken_; i < size; ++i) take(i);
   taken_ = size;
   uploadChanges();
+  return size == published;
 }
 
 void FloodLayer::take(std::size_t order) {

@@ -20,10 +20,12 @@ class FloodLayer {
   /// Starts with a dry mesh.
   explicit FloodLayer(std::shared_ptr<const Mesh> mesh);
 
-  /// Follows this record from its first entry; null dries everything.
+  /// Follows this record from its first entry, of which nothing is taken in yet; null dries
+  /// everything.
   void follow(std::shared_ptr<const FloodRecord> record);
-  /// Uploads what the record published since the last call. Cost: the new part alone.
-  void update();
+  /// Uploads what the record published since the last call, at most so many entries of it. Cost:
+  /// the new part alone. \returns false when entries are left
+  bool update(std::size_t most);
 
   /// Number of faces taken so far.
   std::size_t size() const { return taken_; }

@@ -124,16 +124,17 @@ void Renderer::setSegmentation(const Segmentation* segmentation) {
   if (mesh_) charts_->setSegmentation(segmentation);
 }
 
-void Renderer::setFlood(std::shared_ptr<const FloodRecord> record) {
+void Renderer::setFlood(std::shared_ptr<const FloodRecord> record, std::size_t most) {
   if (!mesh_) return;
   flood_->follow(std::move(record));
-  charts_->growTo(flood_->chartCount());
+  updateFlood(most);
 }
 
-void Renderer::updateFlood() {
-  if (!mesh_) return;
-  flood_->update();
+bool Renderer::updateFlood(std::size_t most) {
+  if (!mesh_) return true;
+  const bool whole = flood_->update(most);
   charts_->growTo(flood_->chartCount());
+  return whole;
 }
 
 void Renderer::setTriangleValues(ColorMode mode, std::span<const float> values) {

@@ -70,9 +70,11 @@ class Renderer {
   /// The same with the values worked out before, on any thread.
   void setGaussValues(const GaussValues& values);
   void setSegmentation(const Segmentation* segmentation);
-  /// Follows a record from its beginning; updateFlood() uploads what was added since.
-  void setFlood(std::shared_ptr<const FloodRecord> record);
-  void updateFlood();
+  /// Follows a record from its beginning; updateFlood() uploads what was added since. Of a long one
+  /// at most so many entries are taken in by one call; updateFlood() is false when some are left.
+  void setFlood(std::shared_ptr<const FloodRecord> record, std::size_t most = kWholeFlood);
+  bool updateFlood(std::size_t most = kWholeFlood);
+  static constexpr std::size_t kWholeFlood = static_cast<std::size_t>(-1);
   void setSeeds(std::span<const SeedMark> seeds);
   /// Values of Stretch, AreaDistortion or AngleDistortion: one a triangle, NaN for none; empty to
   /// forget them. \throws Error for another mode or number of values.

@@ -16,6 +16,7 @@ namespace {
 constexpr int kSmoothSamples = 4;
 constexpr double kSmoothWhileMoving = 0.012;  // seconds a smooth picture may take in motion
 constexpr double kSecondsAtOnce = 0.009;      // of drawing before the window is looked after
+constexpr std::size_t kFacesAtOnce = 30'000;  // of a flood's log taken in by one pass
 constexpr double kCoarseFrom = 0.045;         // slower plain pictures get half the size in motion
 constexpr double kCoarseUntil = 0.012;        // quicker coarse ones get their full size back
 
@@ -80,12 +81,15 @@ void SceneView::takeFlood(const Results& results) {
   if (results.record != record_) {
     record_ = results.record;
     recorded_ = 0;
-    renderer_.setFlood(record_);
+    floodTaken_ = false;
+    renderer_.setFlood(record_, 0);
     ++content_;
   }
-  if (record_ && record_->size() != recorded_) {
+  if (record_ && (record_->size() != recorded_ || !floodTaken_)) {
     recorded_ = record_->size();
-    renderer_.updateFlood();
+    // A whole flood at once would hold up the window; the rest comes with the next passes.
+    floodTaken_ = renderer_.updateFlood(kFacesAtOnce);
+    if (!floodTaken_) wake_();
     ++content_;
   }
   if (results.seeds != seeds_) {

@@ -88,7 +88,8 @@ class SceneView : public SceneSource {
   std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const Segmentation> segmentation_;
   std::shared_ptr<const FloodRecord> record_;
-  std::size_t recorded_ = 0;
+  std::size_t recorded_ = 0;  ///< entries that the record had at the last look
+  bool floodTaken_ = true;    ///< all of them are drawn from
   std::vector<Index> seeds_;
   /// What drawing needs beside the results, worked out by a thread of its own.
   struct Derived {
