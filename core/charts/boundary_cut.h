@@ -1,0 +1,18 @@
+#pragma once
+/// Cuts from an inner vertex to the boundary: for tips and for relief of stretch.
+
+#include "core/model/chart_set.h"
+
+namespace chartflood {
+
+/// Distance of every vertex to the boundary along edges that may be cut, normalised units; infinite
+/// where there is no way.
+std::vector<double> distanceToBoundary(const ChartSurface& surface);
+
+/// Opens a disk along the shortest path of edges from an inner vertex to the boundary (ties to the
+/// lower vertex number), appends the cut to `chart.cuts` and updates its topology. The chart stays
+/// a disk. False, and nothing changed, when there is no such path.
+/// \pre chart.disk(), `vertex` is not on the boundary
+bool cutToBoundary(CutChart& chart, Index vertex, CutReason reason);
+
+}  // namespace chartflood
