@@ -88,6 +88,11 @@ const ColorModeInfo* findColorMode(std::string_view id) {
   return found == std::end(kModes) ? nullptr : &*found;
 }
 
+bool showsUnwrap(ColorMode mode) {
+  return mode == ColorMode::Stretch || mode == ColorMode::AreaDistortion ||
+         mode == ColorMode::AngleDistortion || mode == ColorMode::Checkerboard;
+}
+
 Background backgroundFromText(std::string_view text) {
   Background background;
   if (text == "dark") return background;

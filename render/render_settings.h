@@ -56,6 +56,9 @@ const ColorModeInfo& colorModeInfo(ColorMode mode);
 /// The mode with this id, or nullptr.
 const ColorModeInfo* findColorMode(std::string_view id);
 
+/// True for modes that show how charts lie flat.
+bool showsUnwrap(ColorMode mode);
+
 /// The ground behind the model; sRGB in [0, 1].
 struct Background {
   glm::vec3 bottom{0.137f};

@@ -39,10 +39,7 @@ std::string pictureBytes(const Results& results, const Invocation& call) {
 
 /// Finds out before a long computation whether its results can be written.
 void checkTargets(const Invocation& call) {
-  for (const std::filesystem::path& file :
-       {call.output, call.exportLabels, std::filesystem::path(call.report)}) {
-    if (!file.empty() && file != "-") StagedFile(file, "");
-  }
+  for (const std::filesystem::path& file : outputFiles(call)) StagedFile(file, "");
 }
 
 /// All files wait beside their targets before the first one is put in place.
@@ -75,6 +72,7 @@ void runBatch(const Invocation& call) {
   Session session(Session::Worker::Threaded);
   openInput(session, call);
   segment(session, call);
+  unwrap(session, call);
   writeOutputs(session, call);
 }
 

@@ -54,6 +54,12 @@ void addFiles(std::vector<OptionInfo>& table) {
   table.push_back({"output", "F.png", group, "A picture, see below."});
   table.push_back({"export-labels", "F.txt", group,
                    "One chart number per face of the file, in its order; -1: no chart."});
+  table.push_back({"export-mesh", "F.(obj|ply|glb)", group,
+                   "The mesh with texture coordinates and charts; OBJ and PLY keep vertices, faces "
+                   "and their order."});
+  table.push_back({"export-uv", "F.(png|svg)", group, "The charts in the texture, as a picture."});
+  table.push_back({"export-seams", "F.obj", group,
+                   "Borders between charts and cuts, as lines on the file's vertices."});
   table.push_back(
       {"report", "F.json", group, "All figures as JSON; - writes them to standard output."});
 }
@@ -75,7 +81,7 @@ void addPicture(std::vector<OptionInfo>& table) {
   add("scalar-bar", "", "The scale of the colours. Default: on where colours stand for values.");
   add("resolution", "W,H", "Size of the picture in pixels. Default: 1280,960.");
   add("supersampling", "1|2|4", "Samples a pixel in each direction, for smooth lines. Default: 2.");
-  add("view", "3d", "What is drawn.");
+  add("view", "3d|uv|both", "The model, its texture, or both side by side. Default: 3d.");
 }
 
 void addCamera(std::vector<OptionInfo>& table) {
@@ -113,12 +119,8 @@ void addGeneral(std::vector<OptionInfo>& table) {
 
 void addUnbuilt(std::vector<OptionInfo>& table) {
   for (const char* name :
-       {"best-of", "balance-weight", "crease-weight", "tip", "relief-stretch", "unwrap", "layout",
-        "texture-size", "margin", "export-mesh", "export-uv", "save-session", "compare"}) {
+       {"best-of", "balance-weight", "crease-weight", "save-session", "compare"}) {
     table.push_back({name, "VALUE", "", "", false});
-  }
-  for (const char* name : {"cut-handles", "cut-loops", "cut-tips"}) {
-    table.push_back({name, "", "", "", false});
   }
 }
 
@@ -142,11 +144,7 @@ std::span<const OptionInfo> optionTable() {
 
 std::vector<std::string> colorModeIds() {
   std::vector<std::string> ids;
-  for (const ColorModeInfo& info : colorModeTable()) {
-    // From here on the modes show an unwrap, which does not exist yet.
-    if (info.mode == ColorMode::Stretch) break;
-    ids.push_back(info.id);
-  }
+  for (const ColorModeInfo& info : colorModeTable()) ids.push_back(info.id);
   return ids;
 }
 

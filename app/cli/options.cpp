@@ -55,36 +55,36 @@ void readSteps(const Tokens& tokens, Invocation& call) {
 }
 
 std::filesystem::path readFileName(const Tokens& tokens, const std::string& option,
-                                   const std::string& extension) {
+                                   const std::vector<std::string>& endings) {
   std::filesystem::path file = tokens.text(option);
   if (!tokens.has(option)) return file;
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
     return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   });
-  if (ending != extension) {
-    throw UsageError("--" + option + "=" + file.string() + " cannot be written: give a name that " +
-                     "ends in " + extension + ".");
+  if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return file;
+  std::string allowed = endings[0];
+  for (std::size_t i = 1; i < endings.size(); ++i) {
+    allowed += (i + 1 < endings.size() ? ", " : " or ") + endings[i];
   }
-  return file;
+  throw UsageError("--" + option + "=" + file.string() +
+                   " cannot be written: give a name that ends in " + allowed + ".");
 }
 
 void readFiles(const Tokens& tokens, Invocation& call) {
-  call.output = readFileName(tokens, "output", ".png");
-  call.exportLabels = readFileName(tokens, "export-labels", ".txt");
+  call.output = readFileName(tokens, "output", {".png"});
+  call.exportLabels = readFileName(tokens, "export-labels", {".txt"});
+  call.exportMesh = readFileName(tokens, "export-mesh", {".obj", ".ply", ".glb"});
+  call.exportUv = readFileName(tokens, "export-uv", {".png", ".svg"});
+  call.exportSeams = readFileName(tokens, "export-seams", {".obj"});
   call.report = tokens.text("report");
-  if (call.report != "-") readFileName(tokens, "report", ".json");
+  if (call.report != "-") readFileName(tokens, "report", {".json"});
 }
 
 void readColors(const Tokens& tokens, RenderSettings& settings) {
   if (tokens.has("color-by")) {
-    const std::string id = tokens.text("color-by");
-    const ColorModeInfo* mode = findColorMode(id);
-    const std::vector<std::string> built = colorModeIds();
-    if (mode != nullptr && std::find(built.begin(), built.end(), id) == built.end()) {
-      throw UsageError("--color-by=" + id + " is not built yet: choose another colour mode.");
-    }
-    settings.colorMode = findColorMode(readChoice("color-by", id, built))->mode;
+    settings.colorMode =
+        findColorMode(readChoice("color-by", tokens.text("color-by"), colorModeIds()))->mode;
   }
   if (tokens.has("colormap")) {
     std::vector<std::string> names;
@@ -134,11 +134,12 @@ void readPicture(const Tokens& tokens, PictureOptions& picture) {
     picture.supersampling =
         readChoice("supersampling", tokens.text("supersampling"), allowed).front() - '0';
   }
-  const std::string view = tokens.text("view");
-  if (view == "uv" || view == "both") {
-    throw UsageError("--view=" + view + " is not built yet: give 3d.");
+  if (tokens.has("view")) {
+    const std::vector<std::string> views{"3d", "uv", "both"};
+    const std::string view = readChoice("view", tokens.text("view"), views);
+    picture.view = static_cast<PictureOptions::View>(std::find(views.begin(), views.end(), view) -
+                                                     views.begin());
   }
-  if (tokens.has("view")) readChoice("view", view, std::vector<std::string>{"3d"});
 }
 
 double readWithin(const Tokens& tokens, const std::string& option, double least, double most,
@@ -244,11 +245,18 @@ Invocation::Task readTask(const Tokens& tokens, const Invocation& call) {
   for (const auto& [option, task] : tasks) {
     if (tokens.has(option) && readSwitch(option, tokens.text(option))) return task;
   }
-  const bool writes = !call.output.empty() || !call.exportLabels.empty() || !call.report.empty();
-  return writes ? Task::Batch : Task::Window;
+  return outputFiles(call).empty() && call.report.empty() ? Task::Window : Task::Batch;
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> outputFiles(const Invocation& call) {
+  std::vector<std::filesystem::path> files{call.output, call.exportLabels, call.exportMesh,
+                                           call.exportUv, call.exportSeams};
+  if (call.report != "-") files.emplace_back(call.report);
+  std::erase_if(files, [](const std::filesystem::path& file) { return file.empty(); });
+  return files;
+}
 
 Invocation readOptions(std::span<const std::string> words) {
   const Tokens tokens = readTokens(words, optionTable());

@@ -30,6 +30,8 @@ struct CameraOptions {
 
 /// What the picture shows, and how large.
 struct PictureOptions {
+  enum class View { Model, Uv, Both };
+  View view = View::Model;
   RenderSettings settings;
   int width = 1280, height = 960;  ///< pixels
   int supersampling = 2;           ///< samples a pixel in each direction
@@ -53,6 +55,9 @@ struct Invocation {
 
   std::filesystem::path output;        ///< picture; "": none
   std::filesystem::path exportLabels;  ///< "": none
+  std::filesystem::path exportMesh;    ///< .obj, .ply or .glb; "": none
+  std::filesystem::path exportUv;      ///< .png or .svg; "": none
+  std::filesystem::path exportSeams;   ///< .obj; "": none
   std::string report;                  ///< file name, "-" for standard output, "": none
   PictureOptions picture;
 
@@ -62,6 +67,9 @@ struct Invocation {
 
   static constexpr const char* kFirstSample = "rocket";
 };
+
+/// The files that the call writes, in the order of its members.
+std::vector<std::filesystem::path> outputFiles(const Invocation& call);
 
 /// Reads the words after the program's name. \throws UsageError
 Invocation readOptions(std::span<const std::string> words);

@@ -113,6 +113,16 @@ void placeSeeds(Session& session, const Invocation& call) {
   wait(session, call);
 }
 
+/// The option that cannot do without flat charts; "" when there is none.
+std::string needsFlatCharts(const Invocation& call) {
+  if (!call.exportMesh.empty()) return "--export-mesh";
+  if (!call.exportUv.empty()) return "--export-uv";
+  if (!call.exportSeams.empty()) return "--export-seams";
+  if (call.output.empty()) return "";
+  if (call.picture.view != PictureOptions::View::Model) return "--view";
+  return showsUnwrap(call.picture.settings.colorMode) ? "--color-by" : "";
+}
+
 }  // namespace
 
 void catchInterruptions() {
@@ -148,6 +158,17 @@ void segment(Session& session, const Invocation& call) {
     session.step(StepUnit::Converged);
   }
   wait(session, call);
+}
+
+void unwrap(Session& session, const Invocation& call) {
+  const std::string needed = needsFlatCharts(call);
+  if (needed.empty() && call.output.empty() && call.report.empty()) return;
+  if (session.results()->segmentation->complete) {
+    session.unwrap();
+    wait(session, call);
+  } else if (!needed.empty()) {
+    throw Error(needed + " needs complete charts: leave --steps out.");
+  }
 }
 
 }  // namespace chartflood

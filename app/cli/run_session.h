@@ -30,4 +30,9 @@ void openInput(Session& session, const Invocation& call);
 /// \throws UsageError for a seed that is no face of the mesh
 void segment(Session& session, const Invocation& call);
 
+/// Lays the charts flat when an output of the call shows that; a flood that was stopped before its
+/// end has none.
+/// \throws Error when an output needs flat charts and there are none
+void unwrap(Session& session, const Invocation& call);
+
 }  // namespace chartflood

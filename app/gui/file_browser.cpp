@@ -19,6 +19,32 @@ namespace {
 constexpr std::array kMeshEndings = {".obj", ".ply", ".off", ".stl", ".gltf", ".glb",
                                      ".3ds", ".dae", ".fbx", ".lwo", ".x3d"};
 
+/// What a chosen file is for: the action that takes it, and how a new name ends.
+struct Purpose {
+  const char* action;
+  const char* nameEnd;
+};
+
+Purpose purposeOf(PanelState::Browse browse) {
+  using Browse = PanelState::Browse;
+  switch (browse) {
+  case Browse::SaveMesh:
+    return {"export-mesh", "_uv.obj"};
+  case Browse::SaveUv:
+    return {"export-uv", "_uv.png"};
+  case Browse::SaveSeams:
+    return {"export-seams", "_seams.obj"};
+  case Browse::SaveLabels:
+    return {"export-labels", "_labels.txt"};
+  case Browse::SaveReport:
+    return {"export-report", "_report.json"};
+  case Browse::Open:
+  case Browse::Nothing:
+    break;
+  }
+  return {"open", ""};
+}
+
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
@@ -51,9 +77,7 @@ void FileBrowser::begin(const Ui& ui) {
   confirmed_ = false;
   focusName_ = true;
   name_.clear();
-  const std::string model = ui.state.modelName();
-  if (purpose_ == PanelState::Browse::SaveLabels) name_ = model + "_labels.txt";
-  if (purpose_ == PanelState::Browse::SaveReport) name_ = model + "_report.json";
+  if (saving()) name_ = ui.state.modelName() + purposeOf(purpose_).nameEnd;
   std::filesystem::path start = folder_;
   const std::vector<std::string>& recent = ui.state.preferences.recentFiles;
   if (start.empty() && !recent.empty()) start = std::filesystem::path(recent.front()).parent_path();
@@ -104,16 +128,7 @@ bool FileBrowser::matches(const Entry& entry) const {
 void FileBrowser::choose(const Ui& ui, const std::filesystem::path& file) {
   ui.state.panels.browse = PanelState::Browse::Nothing;
   const std::string name = quotedArgument(file.string());
-  switch (purpose_) {
-  case PanelState::Browse::SaveLabels:
-    return ui.run("export-labels file=" + name);
-  case PanelState::Browse::SaveReport:
-    return ui.run("export-report file=" + name);
-  case PanelState::Browse::Open:
-    return ui.run("open " + name);
-  case PanelState::Browse::Nothing:
-    return;
-  }
+  ui.run(std::string(purposeOf(purpose_).action) + " file=" + name);
 }
 
 void FileBrowser::activate(const Ui& ui, const Entry& entry) {

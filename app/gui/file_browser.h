@@ -12,8 +12,7 @@ namespace chartflood {
 
 class FileBrowser {
  public:
-  /// Shows the window while the state asks for it; emits `open`, `export-labels` or
-  /// `export-report`.
+  /// Shows the window while the state asks for it; emits `open` or the action that exports.
   void draw(const Ui& ui);
 
  private:

@@ -187,6 +187,21 @@ void addRuns(ActionRegistry& registry) {
        .run = [](AppState& state, const Arguments& a) { setSpeed(state, a.text("triangles")); }});
 }
 
+void addUnwrap(ActionRegistry& registry) {
+  registry.add({.id = "unwrap",
+                .title = "Unwrap",
+                .help = "Cuts the charts into disks, lays them flat and packs them into a texture.",
+                .arguments = {},
+                .refusal = [](const AppState& state) -> std::string {
+                  if (!state.hasMesh()) return kNoMesh;
+                  const auto& labels = state.results().segmentation;
+                  const bool ready = labels && labels->complete && !state.results().stale;
+                  return ready ? "" : "There are no complete charts yet; finish a flood first.";
+                },
+                .run = [](AppState& state, const Arguments&) { state.session().unwrap(); }});
+  registry.bind("W", "unwrap");
+}
+
 void addResets(ActionRegistry& registry) {
   registry.add({.id = "reset-flood",
                 .title = "Reset flood",
@@ -240,6 +255,7 @@ void addResets(ActionRegistry& registry) {
 void addSegmentActions(ActionRegistry& registry) {
   addTransport(registry);
   addRuns(registry);
+  addUnwrap(registry);
   addResets(registry);
 }
 

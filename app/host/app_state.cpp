@@ -16,7 +16,9 @@ constexpr double kLongestPlayedSeconds = 0.1;
 
 }  // namespace
 
-AppState::AppState(Session::Worker worker) : session_(worker), results_(session_.results()) {}
+AppState::AppState(Session::Worker worker) : session_(worker), results_(session_.results()) {
+  session_.setAutoUnwrap(true);
+}
 
 void AppState::update(double seconds) {
   results_ = session_.results();
@@ -31,7 +33,8 @@ void AppState::update(double seconds) {
     if (std::exchange(playWhenOpened_, false)) playback.playOneFlood();
   }
   const bool stopped = results_->stopReason != StopReason::NotStopped;
-  request(playback.update({hasMesh(), results_->record, status_.busy, stopped},
+  const bool flooding = status_.busy && !status_.unwrapping;
+  request(playback.update({hasMesh(), results_->record, flooding, stopped},
                           std::min(seconds, kLongestPlayedSeconds)));
 }
 
@@ -53,7 +56,8 @@ std::string AppState::modelName() const {
 
 bool AppState::showsFinal() const {
   const Segmentation* labels = results_->segmentation.get();
-  return labels != nullptr && labels->complete && !status_.busy && playback.atEnd() &&
+  const bool changing = status_.busy && !status_.unwrapping;
+  return labels != nullptr && labels->complete && !changing && playback.atEnd() &&
          playback.complete();
 }
 

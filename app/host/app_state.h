@@ -29,7 +29,7 @@ struct PanelState {
   bool rightWanted = true;  ///< the window is wide enough for the right pane at first
   RightTab rightTab = RightTab::Charts;
   bool selectRightTab = false;  ///< the tab was chosen by an action and must be brought to front
-  enum class Browse { Nothing, Open, SaveLabels, SaveReport };
+  enum class Browse { Nothing, Open, SaveMesh, SaveUv, SaveSeams, SaveLabels, SaveReport };
   Browse browse = Browse::Nothing;  ///< what the file browser is open for
   bool keys = false, log = false, about = false;
   bool firstCard = false;

@@ -65,8 +65,11 @@ Json historyJson(const std::vector<IterationReport>& history) {
   return rounds;
 }
 
-/// The figures of the unwrap are null: there is no unwrap yet.
+/// Figures of the unwrap are null for a chart that is not laid flat.
 Json chartJson(const ChartReport& chart) {
+  const auto figure = [&](double Distortion::*member) {
+    return chart.distortion ? number(*chart.distortion.*member) : Json(nullptr);
+  };
   return {{"chart", chart.chart},
           {"seed_face", whole(chart.seedFace)},
           {"faces", chart.faces},
@@ -76,12 +79,28 @@ Json chartJson(const ChartReport& chart) {
           {"euler", chart.euler},
           {"boundary_loops", chart.boundaryLoops},
           {"disk", chart.disk},
-          {"cut_length", nullptr},
-          {"l2_stretch", nullptr},
-          {"linf_stretch", nullptr},
-          {"area_distortion", nullptr},
-          {"angle_distortion", nullptr},
-          {"flipped", nullptr}};
+          {"cut_length", number(chart.cutLength)},
+          {"l2_stretch", figure(&Distortion::l2)},
+          {"linf_stretch", figure(&Distortion::linf)},
+          {"area_distortion", figure(&Distortion::area)},
+          {"angle_distortion", figure(&Distortion::angle)},
+          {"flipped", chart.distortion ? Json(chart.distortion->flipped) : Json(nullptr)}};
+}
+
+/// A figure over all charts, null where no chart is laid flat.
+template <class Figure>
+Json over(const ResultReport& result, Figure figure) {
+  return result.stretch ? Json(figure(*result.stretch)) : Json(nullptr);
+}
+
+Json stretchJson(const ResultReport& result) {
+  using S = StretchReport;
+  return {{"l2_mean", over(result, [](const S& s) { return s.l2.mean; })},
+          {"l2_std", over(result, [](const S& s) { return s.l2.std; })},
+          {"l2_median", over(result, [](const S& s) { return s.l2.median; })},
+          {"l2_max", over(result, [](const S& s) { return s.l2.max; })},
+          {"l2_area_weighted", over(result, [](const S& s) { return s.l2AreaWeighted; })},
+          {"linf_max", over(result, [](const S& s) { return s.linfMax; })}};
 }
 
 Json timingJson(const TimingReport& timing) {
@@ -89,12 +108,13 @@ Json timingJson(const TimingReport& timing) {
           {"gauss_area", number(timing.gaussArea)},
           {"flood_graph", number(timing.floodGraph)},
           {"segment", number(timing.segment)},
-          {"cut", nullptr},
-          {"unwrap", nullptr},
-          {"pack", nullptr}};
+          {"cut", number(timing.cut)},
+          {"unwrap", number(timing.unwrap)},
+          {"pack", number(timing.pack)}};
 }
 
 Json resultJson(const ResultReport& result) {
+  using S = StretchReport;
   Json charts = Json::array();
   for (const ChartReport& chart : result.perChart) charts.push_back(chartJson(chart));
   return {{"method", result.method},
@@ -103,17 +123,18 @@ Json resultJson(const ResultReport& result) {
           {"best_iteration", whole(result.bestIteration)},
           {"stop_reason", result.stopReason},
           {"gauss_area", gaussJson(result.gaussArea)},
-          {"stretch",
-           {{"l2_mean", nullptr},
-            {"l2_std", nullptr},
-            {"l2_max", nullptr},
-            {"l2_area_weighted", nullptr}}},
-          {"angle_distortion_mean", nullptr},
-          {"area_distortion_mean", nullptr},
-          {"flipped_triangles", nullptr},
+          {"stretch", stretchJson(result)},
+          {"angle_distortion_mean", over(result, [](const S& s) { return s.angle.mean; })},
+          {"angle_distortion_median", over(result, [](const S& s) { return s.angle.median; })},
+          {"angle_distortion_max", over(result, [](const S& s) { return s.angle.max; })},
+          {"area_distortion_mean", over(result, [](const S& s) { return s.area.mean; })},
+          {"area_distortion_median", over(result, [](const S& s) { return s.area.median; })},
+          {"area_distortion_max", over(result, [](const S& s) { return s.area.max; })},
+          {"flipped_triangles", over(result, [](const S& s) { return s.flippedTriangles; })},
           {"seam_length", number(result.seamLength)},
           {"seam_length_over_sqrt_area", number(result.seamLengthOverSqrtArea)},
-          {"packing_efficiency", nullptr},
+          {"cut_length", number(result.cutLength)},
+          {"packing_efficiency", number(result.packingEfficiency)},
           {"history", historyJson(result.history)},
           {"per_chart", std::move(charts)},
           {"timing_ms", timingJson(result.timing)}};

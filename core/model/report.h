@@ -11,6 +11,7 @@
 
 #include "core/base/index.h"
 #include "core/model/input_mesh.h"
+#include "core/model/unwrap.h"
 
 namespace chartflood {
 
@@ -43,14 +44,30 @@ struct ChartReport {
   std::optional<Index> seedFace;  ///< number of the face in the input file
   std::size_t faces = 0;
   double area = 0, gaussArea = 0, perimeter = 0;
-  long euler = 0;
-  std::size_t boundaryLoops = 0;
-  bool disk = false;
+  long euler = 0;                        ///< after cutting, where charts were cut
+  std::size_t boundaryLoops = 0;         ///< the same
+  bool disk = false;                     ///< the same
+  std::optional<double> cutLength;       ///< absent before cutting
+  std::optional<Distortion> distortion;  ///< absent when the chart is not laid flat
+};
+
+/// One figure over all charts that are laid flat, each chart counting the same.
+struct Spread {
+  double mean = 0, std = 0, median = 0, max = 0;
+};
+
+/// How much the charts are distorted in the plane.
+struct StretchReport {
+  Spread l2;
+  double l2AreaWeighted = 0;  ///< root of the area-weighted mean of squares
+  double linfMax = 0;
+  Spread area, angle;
+  std::size_t flippedTriangles = 0;
 };
 
 /// Milliseconds of each stage; absent when it did not run.
 struct TimingReport {
-  std::optional<double> read, gaussArea, floodGraph, segment;
+  std::optional<double> read, gaussArea, floodGraph, segment, cut, unwrap, pack;
 };
 
 /// One method's result.
@@ -61,8 +78,12 @@ struct ResultReport {
   std::optional<std::size_t> bestIteration;  ///< absent before the first round is done
   std::string stopReason;
   GaussReport gaussArea;
-  std::optional<double> seamLength;  ///< edges between two charts; absent without charts
+  /// Edges between two charts and edges of cuts, each once; absent without charts.
+  std::optional<double> seamLength;
   std::optional<double> seamLengthOverSqrtArea;
+  std::optional<double> cutLength;          ///< the part of cuts; absent before cutting
+  std::optional<StretchReport> stretch;     ///< absent when no chart is laid flat
+  std::optional<double> packingEfficiency;  ///< share of the texture that charts cover
   std::vector<IterationReport> history;
   std::vector<ChartReport> perChart;
   TimingReport timing;

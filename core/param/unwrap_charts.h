@@ -1,5 +1,5 @@
 #pragma once
-/// Lays every chart flat (paper section 3.7).
+/// Lays every chart flat (paper section 4).
 
 #include <memory>
 

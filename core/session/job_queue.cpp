@@ -83,6 +83,7 @@ JobQueue::Status JobQueue::status() const {
   Status status;
   status.busy = running_ || !waiting_.empty();
   status.progress = running_;
+  status.kind = runningKind_;
   if (status.busy) status.seconds = now() - busySince_;
   return status;
 }

@@ -16,7 +16,7 @@ namespace chartflood {
 class JobQueue {
  public:
   /// What a job is for: decides which jobs a new one makes pointless.
-  enum class Kind { Open, Apply, Step };
+  enum class Kind { Open, Apply, Step, Unwrap };
   using Job = std::function<void(Progress&)>;
 
   enum class Thread { Own, OwnInBackground, Callers };
@@ -39,6 +39,7 @@ class JobQueue {
   struct Status {
     bool busy = false;
     std::shared_ptr<const Progress> progress;  ///< of the running job
+    Kind kind = Kind::Open;                    ///< of the running job
     double seconds = 0;                        ///< since the queue became busy
   };
   Status status() const;

@@ -1,6 +1,8 @@
 #include "core/session/make_report.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace chartflood {
 
@@ -44,6 +46,51 @@ ChartReport chartReport(const Mesh& mesh, std::size_t number, const ChartFigures
   return report;
 }
 
+/// Replaces what is known of a chart as segmented by what it is after cutting and unwrapping.
+void addFlat(ChartReport& report, const CutChart& chart, const ChartUv& uv, double scale) {
+  report.euler = chart.topology.euler;
+  report.boundaryLoops = chart.topology.boundaryLoops;
+  report.disk = chart.disk();
+  report.cutLength = chart.cutLength() * scale;
+  if (!uv.uv.empty()) report.distortion = uv.distortion;
+}
+
+Spread spreadOf(std::vector<double> values) {
+  Spread spread;
+  const auto n = static_cast<double>(values.size());
+  spread.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  for (const double v : values) spread.std += (v - spread.mean) * (v - spread.mean) / n;
+  spread.std = std::sqrt(spread.std);
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  spread.median = values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+  spread.max = values.back();
+  return spread;
+}
+
+std::optional<StretchReport> stretchReport(const std::vector<ChartReport>& charts) {
+  StretchReport report;
+  std::vector<double> l2, area, angle;
+  double surface = 0, squares = 0;
+  for (const ChartReport& chart : charts) {
+    if (!chart.distortion) continue;
+    const Distortion& d = *chart.distortion;
+    l2.push_back(d.l2);
+    area.push_back(d.area);
+    angle.push_back(d.angle);
+    surface += chart.area;
+    squares += chart.area * d.l2 * d.l2;
+    report.linfMax = std::max(report.linfMax, d.linf);
+    report.flippedTriangles += d.flipped;
+  }
+  if (l2.empty()) return std::nullopt;
+  report.l2 = spreadOf(std::move(l2));
+  report.area = spreadOf(std::move(area));
+  report.angle = spreadOf(std::move(angle));
+  report.l2AreaWeighted = surface > 0 ? std::sqrt(squares / surface) : report.l2.mean;
+  return report;
+}
+
 std::vector<IterationReport> historyReport(const Results& results) {
   std::vector<IterationReport> rounds;
   for (const IterationSummary& round : results.history) {
@@ -54,14 +101,25 @@ std::vector<IterationReport> historyReport(const Results& results) {
   return rounds;
 }
 
-void addCharts(ResultReport& report, const Mesh& mesh, const ChartStats& stats) {
+void addCharts(ResultReport& report, const Results& results) {
+  const ChartStats& stats = *results.chartStats;
+  const double scale = results.mesh->scale();
+  double cutLength = 0;
   for (std::size_t c = 0; c < stats.charts.size(); ++c) {
-    report.perChart.push_back(chartReport(mesh, c, stats.charts[c]));
+    ChartReport& chart =
+        report.perChart.emplace_back(chartReport(*results.mesh, c, stats.charts[c]));
+    if (!results.flat) continue;
+    addFlat(chart, results.charts->charts[c], results.unwrap->charts[c], scale);
+    cutLength += *chart.cutLength;
   }
-  report.seamLength = stats.seamLength;
+  report.seamLength = stats.seamLength + cutLength;
   if (stats.surfaceArea > 0) {
-    report.seamLengthOverSqrtArea = stats.seamLength / std::sqrt(stats.surfaceArea);
+    report.seamLengthOverSqrtArea = *report.seamLength / std::sqrt(stats.surfaceArea);
   }
+  if (!results.flat) return;
+  report.cutLength = cutLength;
+  report.stretch = stretchReport(report.perChart);
+  report.packingEfficiency = results.atlas->efficiency;
 }
 
 ResultReport resultReport(const Results& results) {
@@ -73,9 +131,11 @@ ResultReport resultReport(const Results& results) {
   report.stopReason = stopReasonId(results.stopReason);
   report.gaussArea = gaussReport(results);
   report.history = historyReport(results);
-  if (results.chartStats) addCharts(report, *results.mesh, *results.chartStats);
-  report.timing = {timeTaken(results.timing.read), timeTaken(results.timing.gaussArea),
-                   timeTaken(results.timing.floodGraph), timeTaken(results.timing.segment)};
+  if (results.chartStats) addCharts(report, results);
+  const Timing& t = results.timing;
+  report.timing = {timeTaken(t.read),    timeTaken(t.gaussArea), timeTaken(t.floodGraph),
+                   timeTaken(t.segment), timeTaken(t.cut),       timeTaken(t.unwrap),
+                   timeTaken(t.pack)};
   return report;
 }
 

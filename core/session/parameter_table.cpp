@@ -172,6 +172,116 @@ std::vector<ParameterInfo> borderRows() {
   };
 }
 
+std::vector<ParameterInfo> cuttingRows() {
+  return {
+      {.id = "cut-handles",
+       .label = "Cut handles",
+       .symbol = "",
+       .member = &Parameters::cutHandles,
+       .stage = Stage::Cut,
+       .group = "Cutting",
+       .help = "Cuts pieces with a handle, like the one of a cup, so that they can lie flat.",
+       .source = "3.6"},
+      {.id = "cut-loops",
+       .label = "Open into disks",
+       .symbol = "",
+       .member = &Parameters::cutLoops,
+       .stage = Stage::Cut,
+       .group = "Cutting",
+       .help = "Cuts rings, tubes and closed pieces open, so that they can lie flat.",
+       .source = "3.6"},
+      {.id = "cut-tips",
+       .label = "Cut tips",
+       .symbol = "",
+       .member = &Parameters::cutTips,
+       .stage = Stage::Cut,
+       .group = "Cutting",
+       .help = "Slits long fingers open, so that they stretch less.",
+       .source = "3.6"},
+      {.id = "tip",
+       .label = "Tip length",
+       .symbol = "",
+       .member = &Parameters::tip,
+       .sliderMin = 0.1,
+       .sliderMax = 2,
+       .hardMin = 0.01,
+       .hardMax = 100,
+       .format = "%.2f",
+       .stage = Stage::Cut,
+       .group = "Cutting",
+       .help = "How long a finger must be, against its rim, before it is slit open.",
+       .source = "3.6"},
+      {.id = "relief-stretch",
+       .label = "Relief cuts",
+       .symbol = "",
+       .member = &Parameters::reliefStretch,
+       .sliderMin = 1.05,
+       .sliderMax = 5,
+       .hardMin = 0,
+       .hardMax = 1e6,
+       .scale = SliderScale::LogZero,
+       .format = "%.2f",
+       .stage = Stage::Unwrap,
+       .group = "Cutting",
+       .help = "Slits a piece where it would stretch more than this. 0: never.",
+       .source = ""},
+  };
+}
+
+std::vector<ParameterInfo> unwrapRows() {
+  return {
+      {.id = "unwrap",
+       .label = "Unwrap",
+       .symbol = "",
+       .member = &Parameters::unwrap,
+       .stage = Stage::Unwrap,
+       .group = "Unwrap",
+       .help = "Free: the least stretch, nothing flipped, nothing overlapping. Circle: every piece "
+               "fills a disk, as in the paper.",
+       .source = "4",
+       .choices = {{"free", "Free outline", true}, {"circle", "Circle", true}}},
+      {.id = "layout",
+       .label = "Layout",
+       .symbol = "",
+       .member = &Parameters::layout,
+       .stage = Stage::Layout,
+       .group = "Unwrap",
+       .help = "Packed: all pieces at one scale, close together. Square: each piece in a square of "
+               "its own, as in the paper.",
+       .source = "4",
+       .choices = {{"packed", "Packed", true}, {"square", "Squares", true}}},
+      {.id = "texture-size",
+       .label = "Texture size",
+       .symbol = "",
+       .member = &Parameters::textureSize,
+       .sliderMin = 256,
+       .sliderMax = 8192,
+       .hardMin = 16,
+       .hardMax = 65536,
+       .scale = SliderScale::Log,
+       .unit = "px",
+       .format = "%.0f",
+       .stage = Stage::Layout,
+       .group = "Unwrap",
+       .help = "Pixels on each side of the texture: what the margin is measured in.",
+       .source = ""},
+      {.id = "margin",
+       .label = "Margin",
+       .symbol = "",
+       .member = &Parameters::margin,
+       .sliderMin = 0,
+       .sliderMax = 64,
+       .hardMin = 0,
+       .hardMax = 4096,
+       .unit = "px",
+       .format = "%.0f",
+       .stage = Stage::Layout,
+       .group = "Unwrap",
+       .help = "Empty pixels between the pieces, so that paint does not bleed.",
+       .source = ""},
+  };
+}
+
 std::vector<ParameterInfo> stoppingRows() {
   return {
       {.id = "max-iterations",
@@ -267,8 +377,8 @@ std::vector<ParameterInfo> methodRows() {
 
 std::vector<ParameterInfo> allRows() {
   std::vector<ParameterInfo> rows;
-  for (std::vector<ParameterInfo> part :
-       {chartRows(), balanceRows(), borderRows(), stoppingRows(), methodRows()}) {
+  for (std::vector<ParameterInfo> part : {chartRows(), balanceRows(), borderRows(), cuttingRows(),
+                                          unwrapRows(), stoppingRows(), methodRows()}) {
     rows.insert(rows.end(), part.begin(), part.end());
   }
   return rows;
@@ -285,12 +395,17 @@ std::vector<std::pair<const char*, ParameterValue>> printedValues(double power) 
           {"settle", 0},
           {"search", std::string("literal")},
           {"start", std::string("flood")},
-          {"refine", std::string("none")}};
+          {"refine", std::string("none")},
+          {"tip", 1.0},
+          {"relief-stretch", 0.0},
+          {"unwrap", std::string("circle")},
+          {"layout", std::string("square")}};
 }
 
 std::vector<Preset> allPresets() {
   return {
-      {"paper", "Paper", "The printed values: p 1, \u03b5 1e-4, \u03b2 0.9, borders as flooded.",
+      {"paper", "Paper",
+       "The printed values: p 1, \u03b5 1e-4, \u03b2 0.9, borders as flooded, charts on circles.",
        printedValues(1)},
       {"paper-happy", "Paper: Happy", "The printed values for the Happy Buddha: p 3.",
        printedValues(3)},

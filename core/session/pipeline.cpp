@@ -4,8 +4,11 @@
 #include <utility>
 
 #include "core/charts/chart_stats.h"
+#include "core/charts/cut_charts.h"
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
+#include "core/pack/layout_atlas.h"
+#include "core/param/unwrap_charts.h"
 #include "core/segment/registry.h"
 
 namespace chartflood {
@@ -41,6 +44,8 @@ void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds
   stepper_.reset();
   segmentation_.reset();
   stats_.reset();
+  flat_ = shownFlat_ = {};
+  unwrapAsked_ = false;
   seeds_.clear();
   offsets_.clear();
   document_.seeds.clear();
@@ -97,9 +102,11 @@ void Pipeline::reviseSeeds(const Document& before) {
 
 void Pipeline::apply(const Document& document, bool live, Progress& progress) {
   const Document before = std::exchange(document_, document);
-  Stage stage = Stage::Refine;
+  Stage stage = Stage::Layout;
   const bool changed = firstDifference(before.parameters, document.parameters, stage);
   if (!mesh_ || (!changed && before.seeds == document.seeds)) return;
+  // What comes after the labels leaves them as they are.
+  if (stage >= Stage::Cut && before.seeds == document.seeds) return;
   const bool hadCharts = stepper_ != nullptr || segmentation_ != nullptr;
   const bool keepFinal = finished() && before.seeds == document.seeds && stage >= Stage::Iterations;
   reviseSeeds(before);
@@ -172,8 +179,89 @@ StepOutcome Pipeline::adopt(std::size_t iteration, Progress& progress) {
 
 void Pipeline::measure() {
   if (!stepper_) return;
-  segmentation_ = stepper_->state();
+  std::shared_ptr<const Segmentation> now = stepper_->state();
+  const bool same = segmentation_ && now->label == segmentation_->label;
+  for (Flat* flat : {&flat_, &shownFlat_}) {
+    if (same && flat->of == segmentation_) flat->of = now;
+  }
+  if (!same) unwrapAsked_ = false;
+  segmentation_ = std::move(now);
   stats_ = std::make_shared<const ChartStats>(measureCharts(*mesh_, *segmentation_));
+}
+
+bool Pipeline::isFlat() const {
+  Stage stage;
+  const bool differs = firstDifference(shownFlat_.parameters, document_.parameters, stage);
+  return shownFlat_.atlas && !stale() && shownFlat_.of == segmentation_ &&
+         !(differs && stage >= Stage::Cut);
+}
+
+bool Pipeline::awaitsUnwrap() const {
+  return complete() && !isFlat() && (finished() || unwrapAsked_);
+}
+
+void Pipeline::dropStaleFlat() {
+  Stage stage = Stage::Layout;
+  const bool changed = firstDifference(flat_.parameters, document_.parameters, stage);
+  if (flat_.of != segmentation_ || (changed && stage <= Stage::Cut)) flat_ = {};
+  if (changed && stage <= Stage::Unwrap) {
+    flat_.charts.reset();
+    flat_.unwrap.reset();
+  }
+  if (changed) flat_.atlas.reset();
+  flat_.of = segmentation_;
+  flat_.parameters = document_.parameters;
+}
+
+bool Pipeline::unwrap(Progress& progress) {
+  unwrapAsked_ = true;
+  dropStaleFlat();
+  const Parameters& p = document_.parameters;
+  const auto timed = [](double& milliseconds, auto&& stage) {
+    const Clock::time_point start = Clock::now();
+    stage();
+    milliseconds = millisecondsSince(start);
+  };
+  if (!flat_.cut) {
+    progress.beginPhase("Cutting into disks");
+    const CutOptions options{p.cutHandles, p.cutLoops, p.cutTips, p.tip};
+    timed(timing_.cut, [&] { flat_.cut = cutCharts(*mesh_, *segmentation_, options, progress); });
+    if (!flat_.cut) return false;
+  }
+  if (!flat_.unwrap) {
+    progress.beginPhase("Laying charts flat");
+    using Boundary = UnwrapOptions::Boundary;
+    const UnwrapOptions options{p.unwrap == "circle" ? Boundary::Circle : Boundary::Free,
+                                p.reliefStretch};
+    timed(timing_.unwrap, [&] {
+      UnwrapResult result = unwrapCharts(*mesh_, flat_.cut, options, progress);
+      flat_.charts = std::move(result.charts);
+      flat_.unwrap = std::move(result.unwrap);
+    });
+    if (!flat_.unwrap) return false;
+  }
+  if (!flat_.atlas) {
+    progress.beginPhase("Packing the texture");
+    using Kind = LayoutOptions::Kind;
+    const LayoutOptions options{p.layout == "square" ? Kind::Square : Kind::Packed, p.textureSize,
+                                p.margin};
+    timed(timing_.pack,
+          [&] { flat_.atlas = layoutAtlas(*flat_.charts, *flat_.unwrap, options, progress); });
+    if (!flat_.atlas) return false;
+  }
+  const bool cutAnew = shownFlat_.charts != flat_.charts;
+  shownFlat_ = flat_;
+  if (cutAnew) tellNotFlat();
+  return true;
+}
+
+void Pipeline::tellNotFlat() const {
+  for (std::size_t c = 0; c < flat_.unwrap->charts.size(); ++c) {
+    const std::string& problem = flat_.unwrap->charts[c].problem;
+    if (problem.empty()) continue;
+    tell(Notice::Kind::Warning,
+         "Chart " + std::to_string(c) + " could not be flattened: " + problem);
+  }
 }
 
 void Pipeline::report(Results& results) const {
@@ -183,6 +271,10 @@ void Pipeline::report(Results& results) const {
   results.gaussArea = gauss_;
   results.segmentation = segmentation_;
   results.chartStats = stats_;
+  results.charts = shownFlat_.charts;
+  results.unwrap = shownFlat_.unwrap;
+  results.atlas = shownFlat_.atlas;
+  results.flat = isFlat();
   results.stale = stale();
   results.timing = timing_;
   results.parameters = document_.parameters;

@@ -43,13 +43,35 @@ class Pipeline {
 
   /// Takes a picture of the present labels and measures their charts.
   void measure();
+
+  /// Lays the charts as last measured flat, from the first stage on that is not up to date. False
+  /// when cancelled; the stages that were finished stay. \pre complete()
+  bool unwrap(Progress& progress);
+  /// True when every face has a chart and the charts are up to date.
+  bool complete() const { return !stale() && segmentation_ && segmentation_->complete; }
+  /// True when charts that are or were laid flat, or that a stop rule has finished, await it.
+  bool awaitsUnwrap() const;
   /// Copies what is known into `results`, the labels and figures as last measured.
   void report(Results& results) const;
   /// True when charts are shown that later values have made stale.
   bool stale() const { return segmentation_ != nullptr && stepper_ == nullptr; }
 
  private:
+  /// The stages after the labels: what each was made from tells whether it is up to date.
+  struct Flat {
+    std::shared_ptr<const Segmentation> of;  ///< whose charts these are
+    Parameters parameters;                   ///< that they were made with
+    std::shared_ptr<const ChartSet> cut;     ///< before relief cuts
+    std::shared_ptr<const ChartSet> charts;  ///< with them
+    std::shared_ptr<const Unwrap> unwrap;
+    std::shared_ptr<const Atlas> atlas;
+  };
+
   bool finished() const;
+  bool isFlat() const;
+  /// Forgets the flat stages that do not belong to the present labels and parameters.
+  void dropStaleFlat();
+  void tellNotFlat() const;
   void makeGaussArea(Progress& progress);
   void makeGraph(Progress& progress);
   /// Forgets of the present seeds what does not hold for the new values.
@@ -71,6 +93,9 @@ class Pipeline {
   std::shared_ptr<const ChartStats> stats_;           ///< of segmentation_
   std::vector<Index> seeds_;     ///< of the last flood, to go on from; empty: place anew
   std::vector<double> offsets_;  ///< of the last flood; as many as seeds, or none
+  Flat flat_;                    ///< what is being made; parts are null from the first stale one on
+  Flat shownFlat_;               ///< the last complete one
+  bool unwrapAsked_ = false;     ///< of the present charts
   Timing timing_;
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;

@@ -74,13 +74,30 @@ class Session::Engine {
     document_ = document;
     queue_.cancel(JobQueue::Kind::Step);
     queue_.cancel(JobQueue::Kind::Apply);
+    queue_.cancel(JobQueue::Kind::Unwrap);
     add(JobQueue::Kind::Apply, [this, document, live](Progress& progress) {
       pipeline_.apply(document, live, progress);
       publish(!pipeline_.stale());
+      if (live) unwrapWhenDue();
     });
   }
 
+  void unwrap() {
+    queue_.cancel(JobQueue::Kind::Unwrap);
+    add(JobQueue::Kind::Unwrap, [this](Progress& progress) {
+      if (!requireMesh()) return;
+      if (!pipeline_.complete()) {
+        post({Notice::Kind::Error, "There are no complete charts yet: finish a flood first."});
+        return;
+      }
+      if (pipeline_.unwrap(progress)) publish(false);
+    });
+  }
+
+  void setAutoUnwrap(bool on) { autoUnwrap_ = on; }
+
   void step(StepUnit unit, std::size_t count) {
+    queue_.cancel(JobQueue::Kind::Unwrap);
     add(JobQueue::Kind::Step, [this, unit, count](Progress& progress) {
       if (!requireMesh()) return;
       // Whole rounds are taken one by one, so that each can be seen when it is done.
@@ -95,11 +112,13 @@ class Session::Engine {
         const bool more = outcome == StepOutcome::Advanced && (untilEnd || left > 0);
         publish(!more);
       }
+      unwrapWhenDue();
     });
   }
 
   void withCharts(std::function<void(Progress&)> change) {
     queue_.cancel(JobQueue::Kind::Step);
+    queue_.cancel(JobQueue::Kind::Unwrap);
     add(JobQueue::Kind::Step, [this, change = std::move(change)](Progress& progress) {
       if (!requireMesh()) return;
       change(progress);
@@ -121,6 +140,7 @@ class Session::Engine {
     WorkStatus work;
     work.busy = status.busy;
     work.seconds = status.seconds;
+    work.unwrapping = status.progress && status.kind == JobQueue::Kind::Unwrap;
     if (status.progress) {
       work.phase = status.progress->phase();
       work.fraction = status.progress->fraction();
@@ -147,6 +167,14 @@ class Session::Engine {
         post({Notice::Kind::Error, failure.what()});
       }
       wake();
+    });
+  }
+
+  /// On the worker: has finished charts laid flat after the running job.
+  void unwrapWhenDue() {
+    if (!autoUnwrap_ || !pipeline_.awaitsUnwrap()) return;
+    add(JobQueue::Kind::Unwrap, [this](Progress& progress) {
+      if (pipeline_.awaitsUnwrap() && pipeline_.unwrap(progress)) publish(false);
     });
   }
 
@@ -199,6 +227,7 @@ class Session::Engine {
   Document document_;                   // the caller's
   Pipeline pipeline_;                   // the worker's
   std::atomic<bool> dropSeeds_{false};  ///< a new mesh came: seeds placed on the old one are void
+  std::atomic<bool> autoUnwrap_{false};
   std::atomic<void (*)()> wake_{nullptr};
   mutable std::mutex mutex_;
   std::shared_ptr<const Results> results_;
@@ -237,6 +266,10 @@ void Session::setDocument(const Document& document, bool live) {
 }
 
 void Session::step(StepUnit unit, std::size_t count) { engine_->step(unit, count); }
+
+void Session::unwrap() { engine_->unwrap(); }
+
+void Session::setAutoUnwrap(bool on) { engine_->setAutoUnwrap(on); }
 
 void Session::stop() { engine_->stop(); }
 

@@ -13,11 +13,14 @@
 
 #include "core/base/index.h"
 #include "core/base/progress.h"
+#include "core/model/atlas.h"
+#include "core/model/chart_set.h"
 #include "core/model/chart_stats.h"
 #include "core/model/flood_record.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "core/model/segmentation.h"
+#include "core/model/unwrap.h"
 #include "core/segment/segmenter.h"
 #include "core/session/parameters.h"
 
@@ -34,6 +37,7 @@ struct Document {
 /// How long each stage took, milliseconds; negative when it did not run.
 struct Timing {
   double read = -1, gaussArea = -1, floodGraph = -1, segment = -1;
+  double cut = -1, unwrap = -1, pack = -1;
 };
 
 /// Everything computed so far. Immutable; parts are shared between versions. Parts that a change
@@ -45,6 +49,12 @@ struct Results {
   std::shared_ptr<const GaussArea> gaussArea;
   std::shared_ptr<const Segmentation> segmentation;  ///< at the end of the last step
   std::shared_ptr<const ChartStats> chartStats;      ///< of `segmentation`
+  /// The charts laid flat: all three or none. They stay while charts change; `flat` tells whether
+  /// they belong to `segmentation` and the present parameters.
+  std::shared_ptr<const ChartSet> charts;
+  std::shared_ptr<const Unwrap> unwrap;
+  std::shared_ptr<const Atlas> atlas;
+  bool flat = false;
   /// The flood under way or last done; grows while the worker floods.
   std::shared_ptr<const FloodRecord> record;
   std::size_t recordIteration = 0;  ///< round that `record` belongs to
@@ -66,9 +76,10 @@ struct Notice {
 /// What the worker does right now.
 struct WorkStatus {
   bool busy = false;
-  const char* phase = "";  ///< name of the stage, "" when idle
-  float fraction = 0;      ///< of the stage
-  double seconds = 0;      ///< since the job began
+  const char* phase = "";   ///< name of the stage, "" when idle
+  float fraction = 0;       ///< of the stage
+  double seconds = 0;       ///< since the job began
+  bool unwrapping = false;  ///< lays charts flat: the labels are final while it works
 };
 
 /// All calls come from one thread (the window's or the batch runner's) and return at once when the
@@ -98,6 +109,13 @@ class Session {
   /// were shown, one flood from the present seeds with the new values (`live`), otherwise nothing
   /// more until a step is asked for.
   void setDocument(const Document& document, bool live = true);
+
+  /// Lays the present charts flat: cuts, unwraps and packs what is not up to date. Needs complete
+  /// charts; a notice says so where there are none.
+  void unwrap();
+  /// Whether charts are laid flat by themselves whenever a stop rule has fired or a change made a
+  /// flat result stale. Off at first.
+  void setAutoUnwrap(bool on);
 
   /// Advances the segmentation; steps asked for while one runs are queued after it.
   void step(StepUnit unit, std::size_t count = 1);

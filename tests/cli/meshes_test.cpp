@@ -1,4 +1,5 @@
-// Over all real meshes at hand: the labels that the program writes, checked by means of their own.
+// Over all real meshes at hand: the labels and the mesh that the program writes, checked by means
+// of their own.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@
 #include "core/gauss/compute_gauss_area.h"
 #include "core/io/read_mesh.h"
 #include "core/model/build_mesh.h"
+#include "tests/support/exported_obj.h"
 #include "tests/support/run_program.h"
 
 namespace chartflood {
@@ -101,12 +103,16 @@ class RealMesh : public testing::TestWithParam<std::string> {
     mesh_ = buildMesh(readMesh(file_));
     const ProgramRun done =
         runProgramIn(folder_.path(), {CHARTFLOOD_PROGRAM, std::filesystem::absolute(file_).string(),
-                                      "--export-labels=labels.txt", "--report=report.json"});
+                                      "--export-labels=labels.txt", "--report=report.json",
+                                      "--export-mesh=charts.obj"});
     ASSERT_EQ(done.exitCode, 0) << done.errors;
     report_ = json::parse(readAll(folder_.path() / "report.json"));
     std::istringstream stream(readAll(folder_.path() / "labels.txt"));
     for (long value; stream >> value;) labels_.push_back(value);
   }
+
+  void checkLabels() const;
+  void checkObj() const;
 
   TemporaryFolder folder_;
   std::filesystem::path file_;
@@ -115,7 +121,7 @@ class RealMesh : public testing::TestWithParam<std::string> {
   std::vector<long> labels_;  ///< of the faces of the file
 };
 
-TEST_P(RealMesh, IsCutIntoConnectedChartsOfTheNumberAskedFor) {
+void RealMesh::checkLabels() const {
   const Mesh& mesh = *mesh_;
   ASSERT_EQ(labels_.size(), mesh.input().faceCount());
   std::vector<long> chartOfFace(mesh.faceCount());
@@ -141,6 +147,47 @@ TEST_P(RealMesh, IsCutIntoConnectedChartsOfTheNumberAskedFor) {
   }
   const double total = report_["results"][0]["gauss_area"]["total"].get<double>();
   EXPECT_NEAR(total, gauss.total(), 1e-9 * total);
+}
+
+/// Vertices and faces as in the file, every chart a disk, nothing flipped, nothing on top of
+/// another.
+void RealMesh::checkObj() const {
+  const test::ExportedObj obj = test::parseObj(folder_.path() / "charts.obj");
+  const InputMesh& input = mesh_->input();
+  ASSERT_EQ(obj.vertices.size(), input.positions.size());
+  for (std::size_t v = 0; v < obj.vertices.size(); ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_EQ(obj.vertices[v][static_cast<std::size_t>(axis)], input.positions[v][axis]) << v;
+    }
+  }
+  ASSERT_EQ(obj.faces.size(), input.faceCount());
+  for (std::size_t f = 0; f < obj.faces.size(); ++f) {
+    const auto face = input.face(f);
+    ASSERT_TRUE(std::equal(face.begin(), face.end(), obj.faces[f].vertex.begin(),
+                           obj.faces[f].vertex.end()))
+        << "face " << f;
+  }
+
+  const test::TextureFigures figures = test::measureTexture(obj, 2048);
+  EXPECT_EQ(figures.charts.size(), report_["results"][0]["charts"].get<std::size_t>());
+  EXPECT_EQ(figures.facesWithoutTexture, input.faceCount() - mesh_->faceCount());
+  for (const test::TextureChart& chart : figures.charts) {
+    EXPECT_TRUE(chart.disk) << chart.group;
+    EXPECT_TRUE(chart.weldedDisk) << chart.group << " closes where equal places are one";
+    EXPECT_EQ(chart.flipped, 0u) << chart.group;
+  }
+  EXPECT_GE(figures.lowest, 0);
+  EXPECT_LE(figures.highest, 1);
+  EXPECT_EQ(figures.overlapInside, 0u);
+  EXPECT_EQ(figures.overlapBetween, 0u);
+  const double efficiency = report_["results"][0]["packing_efficiency"].get<double>();
+  EXPECT_NEAR(figures.covered, efficiency, 0.01);
+  EXPECT_EQ(report_["results"][0]["flipped_triangles"], 0);
+}
+
+TEST_P(RealMesh, ArrivesInFlatDisksOfTheNumberAskedFor) {
+  checkLabels();
+  checkObj();
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, RealMesh, testing::ValuesIn(meshFiles()), [](const auto& file) {

@@ -105,7 +105,7 @@ TEST_F(Program, WrongUsageLeavesWithTwoAndOneSentence) {
            {"--chart=3"},
            {"--charts=0"},
            {"--charts=auto", "--report=-"},
-           {"--export-mesh=a.obj"},
+           {"--export-mesh=a.fbx"},
            {"a.obj", "b.obj"},
            {"--sample=rokcet", "--report=-"},
            {"--sample=cube", "--seeds=99999999", "--report=-"},

@@ -41,15 +41,32 @@ TEST(Report, HasEveryKeyOfTheFormat) {
                                            "boundary_loops", "genus", "repairs"}));
   ASSERT_EQ(report["results"].size(), 1u);
   const json& result = report["results"][0];
-  EXPECT_EQ(keysOf(result),
-            (Keys{"method", "charts", "iterations", "best_iteration", "stop_reason", "gauss_area",
-                  "stretch", "angle_distortion_mean", "area_distortion_mean", "flipped_triangles",
-                  "seam_length", "seam_length_over_sqrt_area", "packing_efficiency", "history",
-                  "per_chart", "timing_ms"}));
+  EXPECT_EQ(keysOf(result), (Keys{"method",
+                                  "charts",
+                                  "iterations",
+                                  "best_iteration",
+                                  "stop_reason",
+                                  "gauss_area",
+                                  "stretch",
+                                  "angle_distortion_mean",
+                                  "angle_distortion_median",
+                                  "angle_distortion_max",
+                                  "area_distortion_mean",
+                                  "area_distortion_median",
+                                  "area_distortion_max",
+                                  "flipped_triangles",
+                                  "seam_length",
+                                  "seam_length_over_sqrt_area",
+                                  "cut_length",
+                                  "packing_efficiency",
+                                  "history",
+                                  "per_chart",
+                                  "timing_ms"}));
   EXPECT_EQ(keysOf(result["gauss_area"]),
             (Keys{"total", "vertices", "edges", "faces", "mean", "std_eq3", "std", "std_over_mean",
                   "max_over_mean"}));
-  EXPECT_EQ(keysOf(result["stretch"]), (Keys{"l2_mean", "l2_std", "l2_max", "l2_area_weighted"}));
+  EXPECT_EQ(keysOf(result["stretch"]),
+            (Keys{"l2_mean", "l2_std", "l2_median", "l2_max", "l2_area_weighted", "linf_max"}));
   EXPECT_EQ(keysOf(result["timing_ms"]),
             (Keys{"read", "gauss_area", "flood_graph", "segment", "cut", "unwrap", "pack"}));
   ASSERT_FALSE(result["history"].empty());
@@ -84,13 +101,23 @@ TEST(Report, NumbersAreFiniteAndAddUp) {
                   gauss["faces"].get<double>(),
               1e-9);
   EXPECT_GE(gauss["total"].get<double>(), 4 * std::numbers::pi - 1e-6);
-  double sum = 0, squares = 0, faces = 0, euler = 0, perimeter = 0;
+  double sum = 0, squares = 0, faces = 0, perimeter = 0, cuts = 0, surface = 0, stretched = 0;
   for (const json& chart : result["per_chart"]) {
     sum += chart["gauss_area"].get<double>();
     faces += chart["faces"].get<double>();
-    euler += chart["euler"].get<double>();
     perimeter += chart["perimeter"].get<double>();
-    EXPECT_EQ(chart["disk"].get<bool>(), chart["euler"] == 1 && chart["boundary_loops"] == 1);
+    EXPECT_EQ(chart["euler"], 1);
+    EXPECT_EQ(chart["boundary_loops"], 1);
+    EXPECT_EQ(chart["disk"], true);
+    EXPECT_EQ(chart["flipped"], 0);
+    const double area = chart["area"].get<double>(), l2 = chart["l2_stretch"].get<double>();
+    EXPECT_GE(l2, 1 - 1e-9);
+    EXPECT_LE(l2, chart["linf_stretch"].get<double>());
+    EXPECT_GE(chart["angle_distortion"].get<double>(), 1 - 1e-9);
+    EXPECT_GE(chart["area_distortion"].get<double>(), 1 - 1e-9);
+    cuts += chart["cut_length"].get<double>();
+    surface += area;
+    stretched += area * l2 * l2;
   }
   const double mean = sum / 7;
   for (const json& chart : result["per_chart"]) {
@@ -103,7 +130,13 @@ TEST(Report, NumbersAreFiniteAndAddUp) {
   EXPECT_NEAR(gauss["std_over_mean"].get<double>(), std::sqrt(squares / 7) / mean, 1e-9);
   EXPECT_LE(sum, gauss["total"].get<double>() + 1e-9);
   // A closed mesh: every border side of a chart lies against another chart's.
-  EXPECT_NEAR(perimeter, 2 * result["seam_length"].get<double>(), 1e-9 * perimeter);
+  EXPECT_NEAR(perimeter + 2 * cuts, 2 * result["seam_length"].get<double>(), 1e-9 * perimeter);
+  EXPECT_NEAR(result["cut_length"].get<double>(), cuts, 1e-9);
+  const json& stretch = result["stretch"];
+  EXPECT_NEAR(stretch["l2_area_weighted"].get<double>(), std::sqrt(stretched / surface), 1e-9);
+  EXPECT_LE(stretch["l2_median"].get<double>(), stretch["l2_max"].get<double>());
+  EXPECT_GT(result["packing_efficiency"].get<double>(), 0.4);
+  EXPECT_LT(result["packing_efficiency"].get<double>(), 1);
   EXPECT_EQ(report["input"]["genus"], 2);
   EXPECT_EQ(result["iterations"].get<std::size_t>(), result["history"].size());
 }

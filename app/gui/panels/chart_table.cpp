@@ -13,9 +13,31 @@ namespace chartflood {
 
 namespace {
 
-enum Column { kChart, kFaces, kGauss, kShare, kPerimeter, kDisk, kColumns };
+enum Column { kChart, kFaces, kGauss, kShare, kPerimeter, kStretch, kDisk, kColumns };
 
-double cell(const ChartFigures& figures, std::size_t chart, int column) {
+/// What the table shows; the charts after cutting where they are laid flat.
+struct Figures {
+  const ChartStats& stats;
+  const ChartSet* charts = nullptr;
+  const Unwrap* unwrap = nullptr;
+
+  explicit Figures(const Results& results) : stats(*results.chartStats) {
+    if (!results.flat) return;
+    charts = results.charts.get();
+    unwrap = results.unwrap.get();
+  }
+  bool disk(std::size_t chart) const {
+    return charts != nullptr ? charts->charts[chart].disk() : stats.charts[chart].disk;
+  }
+  /// L2 stretch; 0 for a chart that is not laid flat.
+  double stretch(std::size_t chart) const {
+    if (unwrap == nullptr || unwrap->charts[chart].uv.empty()) return 0;
+    return unwrap->charts[chart].distortion.l2;
+  }
+};
+
+double cell(const Figures& all, std::size_t chart, int column) {
+  const ChartFigures& figures = all.stats.charts[chart];
   switch (column) {
   case kFaces:
     return static_cast<double>(figures.faces);
@@ -24,22 +46,24 @@ double cell(const ChartFigures& figures, std::size_t chart, int column) {
     return figures.gaussArea;
   case kPerimeter:
     return figures.perimeter;
+  case kStretch:
+    return all.stretch(chart);
   case kDisk:
-    return figures.disk ? 1 : 0;
+    return all.disk(chart) ? 1 : 0;
   default:
     return static_cast<double>(chart);
   }
 }
 
-std::vector<std::size_t> sortedCharts(const ChartStats& stats) {
-  std::vector<std::size_t> order(stats.charts.size());
+std::vector<std::size_t> sortedCharts(const Figures& figures) {
+  std::vector<std::size_t> order(figures.stats.charts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
   if (specs == nullptr || specs->SpecsCount == 0) return order;
   const int column = specs->Specs[0].ColumnIndex;
   const bool down = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    const double x = cell(stats.charts[a], a, column), y = cell(stats.charts[b], b, column);
+    const double x = cell(figures, a, column), y = cell(figures, b, column);
     return down ? y < x : x < y;
   });
   return order;
@@ -55,7 +79,8 @@ void rightText(const char* pattern, double value) {
   ImGui::TextUnformatted(text);
 }
 
-void tableRow(const Ui& ui, const ChartStats& stats, std::size_t chart) {
+void tableRow(const Ui& ui, const Figures& all, std::size_t chart) {
+  const ChartStats& stats = all.stats;
   const ChartFigures& figures = stats.charts[chart];
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -74,7 +99,9 @@ void tableRow(const Ui& ui, const ChartStats& stats, std::size_t chart) {
   ImGui::TableNextColumn();
   rightText("%.3g", figures.perimeter);
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(figures.disk ? "yes" : "no");
+  if (const double stretch = all.stretch(chart); stretch > 0) rightText("%.3f", stretch);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(all.disk(chart) ? "yes" : "no");
 }
 
 void headers(const Ui& ui) {
@@ -84,6 +111,7 @@ void headers(const Ui& ui) {
   ImGui::TableSetupColumn("Gauss sr", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.45f);
   ImGui::TableSetupColumn("Share", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);
   ImGui::TableSetupColumn("Border", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.3f);
+  ImGui::TableSetupColumn("Stretch", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.3f);
   ImGui::TableSetupColumn("Disk", fixed, 0.85f);
   ImGui::TableSetupScrollFreeze(0, 1);
   static const char* const kHelp[kColumns] = {
@@ -92,7 +120,8 @@ void headers(const Ui& ui) {
       "Gauss area in steradians: how much the chart's surface turns.",
       "Gauss area against the mean of all charts: 100 % is balanced.",
       "Length of the chart's border in units of the model.",
-      "Whether the chart is one piece with one border, so that it can lie flat."};
+      "How much the chart stretches when it lies flat (L2): 1 is none at all.",
+      "Whether the chart, with its cuts, is one piece with one border and can lie flat."};
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (int column = 0; column < kColumns; ++column) {
     ImGui::TableSetColumnIndex(column);
@@ -106,8 +135,8 @@ void headers(const Ui& ui) {
 }  // namespace
 
 void chartTable(const Ui& ui) {
-  const std::shared_ptr<const ChartStats> stats = ui.state.results().chartStats;
-  if (!stats || stats->charts.empty()) {
+  const Results& results = ui.state.results();
+  if (!results.chartStats || results.chartStats->charts.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
     ImGui::TextWrapped("The charts appear here after the first flood. Press Space to play it.");
     ImGui::PopStyleColor();
@@ -118,12 +147,13 @@ void chartTable(const Ui& ui) {
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
   if (ImGui::BeginTable("charts", kColumns, flags)) {
     headers(ui);
-    const std::vector<std::size_t> order = sortedCharts(*stats);
+    const Figures figures(results);
+    const std::vector<std::size_t> order = sortedCharts(figures);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(order.size()));
     while (clipper.Step()) {
       for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
-        tableRow(ui, *stats, order[static_cast<std::size_t>(row)]);
+        tableRow(ui, figures, order[static_cast<std::size_t>(row)]);
       }
     }
     ImGui::EndTable();

@@ -42,7 +42,9 @@ void fileMenu(const Ui& ui) {
   }
   actionMenuItem(ui, "reload");
   ImGui::Separator();
-  actionMenuItem(ui, "export-labels");
+  for (const char* line : {"export-mesh", "export-uv", "export-seams", "export-labels"}) {
+    actionMenuItem(ui, line);
+  }
   actionMenuItem(ui, "export-report");
   ImGui::Separator();
   actionMenuItem(ui, "screenshot");
@@ -118,7 +120,9 @@ void runMenu(const Ui& ui) {
     actionMenuItem(ui, line);
   }
   ImGui::Separator();
-  for (const char* line : {"iteration", "run", "stop", "best"}) actionMenuItem(ui, line);
+  for (const char* line : {"iteration", "run", "stop", "best", "unwrap"}) {
+    actionMenuItem(ui, line);
+  }
   ImGui::Separator();
   actionMenuItem(ui, "reset-flood");
   actionMenuItem(ui, "reset-seeds");
