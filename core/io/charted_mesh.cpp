@@ -1,0 +1,135 @@
+#include "core/io/charted_mesh.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/check.h"
+#include "core/base/parallel.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr std::size_t kBlock = 1 << 14;
+
+void check(const ChartedMesh& m) {
+  CF_CHECK(m.label.size() == m.mesh.faceCount());
+  CF_CHECK(m.atlas.uv.empty() || m.atlas.uv.size() == m.chartCount());
+  for (std::size_t c = 0; c < m.chartCount(); ++c) {
+    CF_CHECK(m.uv(c).empty() || m.uv(c).size() == m.surface(c).vertexCount());
+  }
+}
+
+/// Place of each corner of the mesh's triangles.
+std::vector<Index> trianglePlaces(const ChartedMesh& m, std::span<const Index> begin) {
+  std::vector<Index> place(3 * m.mesh.triangleCount(), kNone);
+  parallelFor(m.chartCount(), [&](std::size_t c) {
+    const ChartSurface& s = m.surface(c);
+    for (std::size_t t = 0; t < s.triangleCount(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        place[3 * s.meshTriangle[t] + i] = begin[c] + s.triangles[t][i];
+      }
+    }
+  });
+  return place;
+}
+
+/// One face of the input and the first of its triangles' places.
+struct Polygon {
+  std::span<const Index> vertices;  ///< of the input
+  std::span<const Index> weld;      ///< empty: every vertex stands for itself
+  std::span<const Index> triangles;
+  std::span<Index> corners;  ///< out
+
+  Index vertex(std::size_t i) const { return weld.empty() ? vertices[i] : weld[vertices[i]]; }
+};
+
+/// Walks the fan as buildMesh() made it.
+void placeFan(const Polygon& p) {
+  const auto give = [&](std::size_t corner, Index place) {
+    if (p.corners[corner] == kNone) p.corners[corner] = place;
+  };
+  std::size_t next = 0;
+  for (std::size_t i = 1; i + 1 < p.vertices.size(); ++i) {
+    const Index a = p.vertex(0), b = p.vertex(i), c = p.vertex(i + 1);
+    if (a == b || b == c || c == a) continue;
+    give(0, p.triangles[next]);
+    give(i, p.triangles[next + 1]);
+    give(i + 1, p.triangles[next + 2]);
+    next += 3;
+  }
+  CF_CHECK(next == p.triangles.size());
+}
+
+/// Corners that no triangle of the fan has.
+void placeTheRest(const Polygon& p) {
+  const std::size_t count = p.corners.size();
+  std::vector<Index> extra(count, kNone);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (p.corners[i] != kNone) continue;
+    for (std::size_t j = 0; j < count && extra[i] == kNone; ++j) {
+      if (p.vertex(j) == p.vertex(i)) extra[i] = p.corners[j];
+    }
+    // A spike that runs to a vertex and back has no area in the texture either.
+    for (std::size_t back = 1; back < count && extra[i] == kNone; ++back) {
+      extra[i] = p.corners[(i + count - back) % count];
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (p.corners[i] == kNone) p.corners[i] = extra[i];
+  }
+}
+
+/// The face of the mesh for each face of the input; empty when they are the same.
+std::vector<Index> meshFaces(const Mesh& mesh) {
+  std::vector<Index> face;
+  if (mesh.faceCount() == mesh.input().faceCount()) return face;
+  face.resize(mesh.input().faceCount(), kNone);
+  for (Index f = 0; f < mesh.faceCount(); ++f) face[mesh.inputFace(f)] = f;
+  return face;
+}
+
+}  // namespace
+
+std::string chartName(Index chart) {
+  std::string digits = std::to_string(chart);
+  if (digits.size() < 3) digits.insert(0, 3 - digits.size(), '0');
+  return "chart_" + digits;
+}
+
+ChartPlaces chartPlaces(const ChartedMesh& m) {
+  check(m);
+  const InputMesh& input = m.mesh.input();
+  ChartPlaces out;
+  out.begin.push_back(0);
+  for (std::size_t c = 0; c < m.chartCount(); ++c) {
+    out.begin.push_back(out.begin.back() + static_cast<Index>(m.surface(c).vertexCount()));
+  }
+  const std::vector<Index> places = trianglePlaces(m, out.begin);
+  const std::vector<Index> meshFace = meshFaces(m.mesh);
+  out.chart.resize(input.faceCount(), kNone);
+  out.corner.resize(input.corners.size(), kNone);
+  if (!meshFace.empty()) {
+    out.dropped.resize(input.faceCount());
+    for (std::size_t f = 0; f < meshFace.size(); ++f) out.dropped[f] = meshFace[f] == kNone;
+  }
+  parallelBlocks(input.faceCount(), kBlock, [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      const Index face = meshFace.empty() ? static_cast<Index>(f) : meshFace[f];
+      if (face == kNone || m.label[face] == kNone) continue;
+      CF_CHECK(m.label[face] < m.chartCount());
+      out.chart[f] = m.label[face];
+      const std::span<const Index> vertices = input.face(f);
+      const std::size_t corner = static_cast<std::size_t>(vertices.data() - input.corners.data());
+      const std::size_t begin = 3 * m.mesh.triangleBegin(face);
+      const std::size_t size = 3 * m.mesh.triangleBegin(face + 1) - begin;
+      const Polygon polygon{vertices, input.weld, std::span(places).subspan(begin, size),
+                            std::span(out.corner).subspan(corner, vertices.size())};
+      placeFan(polygon);
+      if (size != 3 * (vertices.size() - 2)) placeTheRest(polygon);
+    }
+  });
+  return out;
+}
+
+}  // namespace chartflood

@@ -1,0 +1,65 @@
+#pragma once
+/// Text and binary rows written in fixed blocks on all threads, straight into flat memory.
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/parallel.h"
+
+namespace chartflood {
+
+/// Room that writeReal() and writeWhole() may take.
+inline constexpr std::size_t kLongestReal = 24;
+inline constexpr std::size_t kLongestWhole = 20;
+
+/// The shortest decimal that reads as the same double. \returns the end
+inline char* writeReal(char* out, double value) {
+  // A sign of what is not a number would be lost on reading anyway.
+  if (std::isnan(value)) value = std::fabs(value);
+  return std::to_chars(out, out + kLongestReal, value).ptr;
+}
+
+template <class T>
+char* writeWhole(char* out, T value) {
+  return std::to_chars(out, out + kLongestWhole, value).ptr;
+}
+
+inline char* writeText(char* out, std::string_view text) {
+  std::memcpy(out, text.data(), text.size());
+  return out + text.size();
+}
+
+/// The bytes of a value as this machine keeps them.
+template <class T>
+char* writeRaw(char* out, T value) {
+  std::memcpy(out, &value, sizeof value);
+  return out + sizeof value;
+}
+
+/// Appends rows 0 to count - 1. `bound(begin, end)` says how many bytes these rows take at most,
+/// `write(begin, end, out)` writes them and returns the end of what it wrote. The rows come in
+/// order whatever the number of threads.
+template <class Bound, class Write>
+void appendBlocks(std::string& text, std::size_t count, const Bound& bound, const Write& write) {
+  constexpr std::size_t kRows = 1 << 14;
+  std::vector<std::string> parts((count + kRows - 1) / kRows);
+  parallelBlocks(count, kRows, [&](std::size_t begin, std::size_t end) {
+    std::string& part = parts[begin / kRows];
+    part.resize(bound(begin, end));
+    part.resize(static_cast<std::size_t>(write(begin, end, part.data()) - part.data()));
+  });
+  std::size_t size = text.size();
+  for (const std::string& part : parts) size += part.size();
+  text.reserve(size);
+  for (std::string& part : parts) {
+    text += part;
+    std::string().swap(part);
+  }
+}
+
+}  // namespace chartflood
