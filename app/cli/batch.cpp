@@ -9,6 +9,8 @@
 #include "app/cli/info.h"
 #include "app/cli/picture.h"
 #include "app/cli/run_session.h"
+#include "app/cli/values.h"
+#include "app/host/export_files.h"
 #include "core/base/error.h"
 #include "core/io/file_output.h"
 #include "core/io/write_labels.h"
@@ -37,6 +39,15 @@ std::string pictureBytes(const Results& results, const Invocation& call) {
   return {bytes.begin(), bytes.end()};
 }
 
+/// The texture, as SVG or as a picture by the name's ending.
+std::string uvBytes(const Results& results, const Invocation& call) {
+  const RenderSettings& look = call.picture.settings;
+  if (fileEnding(call.exportUv) == ".svg") return exportedUvSvg(results, look.palette);
+  const Image image = drawTexture(results, call.picture, call.renderingBackend);
+  const auto bytes = encodePng(image, pictureTexts(results));
+  return {bytes.begin(), bytes.end()};
+}
+
 /// Finds out before a long computation whether its results can be written.
 void checkTargets(const Invocation& call) {
   for (const std::filesystem::path& file : outputFiles(call)) StagedFile(file, "");
@@ -51,6 +62,12 @@ void writeOutputs(const Session& session, const Invocation& call) {
   if (!call.exportLabels.empty()) {
     files.emplace_back(call.exportLabels, labelsText(*results->mesh, results->segmentation->label));
   }
+  if (!call.exportMesh.empty()) {
+    files.emplace_back(call.exportMesh, exportedMesh(*results, call.exportMesh));
+  }
+  if (!call.exportUv.empty()) files.emplace_back(call.exportUv, uvBytes(*results, call));
+  if (!call.exportSeams.empty()) files.emplace_back(call.exportSeams, exportedSeams(*results));
+  throwIfInterrupted();
   if (!call.report.empty() && call.report != "-") files.emplace_back(call.report, report(session));
   throwIfInterrupted();
   for (StagedFile& file : files) file.commit();

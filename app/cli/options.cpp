@@ -58,10 +58,7 @@ std::filesystem::path readFileName(const Tokens& tokens, const std::string& opti
                                    const std::vector<std::string>& endings) {
   std::filesystem::path file = tokens.text(option);
   if (!tokens.has(option)) return file;
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) {
-    return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  });
+  const std::string ending = fileEnding(file);
   if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return file;
   std::string allowed = endings[0];
   for (std::size_t i = 1; i < endings.size(); ++i) {

@@ -126,4 +126,10 @@ glm::dvec3 readVector(std::string_view option, std::string_view text, bool direc
   return {n[0], n[1], n[2]};
 }
 
+std::string fileEnding(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return ending;
+}
+
 }  // namespace chartflood

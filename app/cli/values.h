@@ -3,6 +3,7 @@
 /// what would be right.
 
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,5 +35,8 @@ std::vector<double> readNumbers(std::string_view option, std::string_view text, 
                                 std::string_view form);
 /// "X,Y,Z". \throws UsageError, also for 0,0,0 when `direction`
 glm::dvec3 readVector(std::string_view option, std::string_view text, bool direction);
+
+/// The ending of a file's name in lower case: ".png".
+std::string fileEnding(const std::filesystem::path& file);
 
 }  // namespace chartflood

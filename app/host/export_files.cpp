@@ -1,0 +1,58 @@
+#include "app/host/export_files.h"
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/io/write_mesh.h"
+#include "core/io/write_seams.h"
+#include "core/io/write_uv_svg.h"
+#include "render/chart_palette.h"
+
+namespace chartflood {
+
+namespace {
+
+ChartedMesh chartedMesh(const Results& results) {
+  return {*results.mesh, results.segmentation->label, *results.charts, *results.atlas};
+}
+
+/// The colour of each chart, as the renderer gives them out.
+std::vector<std::uint32_t> chartColors(const Results& results, const std::string& palette) {
+  const ChartPalette* wanted = findChartPalette(palette);
+  if (wanted == nullptr) throw UsageError("There is no chart palette \"" + palette + "\".");
+  const Segmentation& labels = *results.segmentation;
+  const std::vector<ChartPair> neighbours = neighbourCharts(*results.mesh, labels.label);
+  const ChartPalette& usual = chartPaletteTable().front();
+  std::vector<Index> first(labels.chartCount);
+  for (Index chart = 0; chart < first.size(); ++chart) {
+    first[chart] = chart % static_cast<Index>(usual.colors.size() - usual.reserve);
+  }
+  std::vector<std::uint32_t> colors;
+  for (const Index number : colorCharts(labels.chartCount, neighbours, first, usual)) {
+    colors.push_back(wanted->colors[number % wanted->colors.size()]);
+  }
+  return colors;
+}
+
+}  // namespace
+
+std::string exportRefusal(const Results& results) {
+  if (!results.mesh) return "There is no model yet; open one first.";
+  return results.flat ? "" : "The charts are not laid flat yet; press Unwrap (W) first.";
+}
+
+std::string exportedMesh(const Results& results, const std::filesystem::path& file) {
+  MeshWriteOptions options;
+  options.glb.sharpAngle = results.parameters.sharpAngle;
+  return meshBytes(file, chartedMesh(results), options);
+}
+
+std::string exportedSeams(const Results& results) { return seamsText(chartedMesh(results)); }
+
+std::string exportedUvSvg(const Results& results, const std::string& palette) {
+  const std::vector<std::uint32_t> colors = chartColors(results, palette);
+  return uvSvgText(chartedMesh(results), {.colors = colors});
+}
+
+}  // namespace chartflood

@@ -1,0 +1,24 @@
+#pragma once
+/// The files that charts laid flat are taken home in, for window and command line alike.
+
+#include <filesystem>
+#include <string>
+
+#include "core/session/session.h"
+
+namespace chartflood {
+
+/// Why these results cannot be exported yet; "" when they can.
+std::string exportRefusal(const Results& results);
+
+/// The mesh with texture coordinates and charts in the format of the file's extension.
+/// \pre exportRefusal() is empty, here and below \throws UsageError for an unknown extension, Error
+std::string exportedMesh(const Results& results, const std::filesystem::path& file);
+
+/// Borders between charts and cuts as lines.
+std::string exportedSeams(const Results& results);
+
+/// The texture as SVG; charts in the colours of the palette with this id.
+std::string exportedUvSvg(const Results& results, const std::string& palette);
+
+}  // namespace chartflood
