@@ -3,6 +3,7 @@
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
+#include "app/host/export_files.h"
 #include "core/base/error.h"
 #include "core/io/file_output.h"
 #include "core/io/write_labels.h"
@@ -23,6 +24,8 @@ std::string needsLabels(const AppState& state) {
   const bool ready = labels && labels->complete && !state.status().busy;
   return ready ? "" : "There are no complete charts yet; finish a flood first.";
 }
+
+std::string needsFlatCharts(const AppState& state) { return exportRefusal(state.results()); }
 
 void takePicture(AppState& state, const Arguments& a) {
   PictureRequest request;
@@ -46,9 +49,56 @@ void exportTo(AppState& state, const Arguments& a, PanelState::Browse browse, By
   state.notices.add(Notice::Kind::Info, "Wrote " + a.text("file") + ".");
 }
 
+/// SVG is text that is written at once; PNG is drawn by whoever owns the renderer.
+void exportUv(AppState& state, const Arguments& a) {
+  const std::filesystem::path file = a.text("file");
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  if (a.has("file") && ending == ".png") {
+    state.requests.pictures.push_back({.file = file, .texture = true});
+    return;
+  }
+  if (a.has("file") && ending != ".svg") {
+    throw UsageError(file.filename().string() + " cannot be written: give a name that ends in "
+                                                ".png or .svg.");
+  }
+  exportTo(state, a, PanelState::Browse::SaveUv,
+           [&] { return exportedUvSvg(state.results(), state.view.render.palette); });
+}
+
+void addFlatExports(ActionRegistry& registry) {
+  registry.add({.id = "export-mesh",
+                .title = "Export mesh\u2026",
+                .help = "Writes the mesh with texture coordinates and charts: OBJ, PLY or GLB, by "
+                        "the name's ending.",
+                .arguments = {{"file", ArgumentType::Text, "left out: asks", false}},
+                .refusal = needsFlatCharts,
+                .run = [](AppState& state, const Arguments& a) {
+                  exportTo(state, a, PanelState::Browse::SaveMesh,
+                           [&] { return exportedMesh(state.results(), a.text("file")); });
+                }});
+  registry.bind("Ctrl+E", "export-mesh");
+  registry.add({.id = "export-uv",
+                .title = "Export UV layout\u2026",
+                .help = "Writes the charts in the texture: PNG or SVG, by the name's ending.",
+                .arguments = {{"file", ArgumentType::Text, "left out: asks", false}},
+                .refusal = needsFlatCharts,
+                .run = exportUv});
+  registry.add({.id = "export-seams",
+                .title = "Export seams\u2026",
+                .help = "Writes borders between charts and cuts as lines (OBJ).",
+                .arguments = {{"file", ArgumentType::Text, "left out: asks", false}},
+                .refusal = needsFlatCharts,
+                .run = [](AppState& state, const Arguments& a) {
+                  exportTo(state, a, PanelState::Browse::SaveSeams,
+                           [&] { return exportedSeams(state.results()); });
+                }});
+}
+
 }  // namespace
 
 void addExportActions(ActionRegistry& registry) {
+  addFlatExports(registry);
   registry.add({.id = "screenshot",
                 .title = "Picture",
                 .help = "Saves the 3D view as a PNG picture; bare: transparent, without helpers.",

@@ -40,6 +40,7 @@ struct PictureRequest {
   std::filesystem::path file;  ///< "": the next free name in the folder of pictures
   int scale = 1;               ///< times the size of the 3D view
   bool bare = false;           ///< transparent, without helpers
+  bool texture = false;        ///< the charts in the texture, at its size, instead of the view
 };
 
 /// What only the window's owner can do; it takes these and clears them.
