@@ -4,18 +4,22 @@
 
 namespace chartflood {
 
+glm::vec4 tileOf(const PicturePart& part) {
+  // Shifts the middle of the part to 0.
+  const glm::vec2 whole(part.wholeWidth, part.wholeHeight);
+  const glm::vec2 scale = whole / glm::vec2(part.width, part.height);
+  const glm::vec2 middle =
+      (glm::vec2(part.left, part.bottom) + 0.5f * glm::vec2(part.width, part.height)) / whole;
+  return glm::vec4(scale, -(2.0f * middle - 1.0f) * scale);
+}
+
 Eye makeEye(const Camera& camera, const BoundingSphere& bounds, const PicturePart& part) {
   const double aspect = double(part.wholeWidth) / part.wholeHeight;
   Eye eye;
   eye.view = glm::mat4(camera.viewMatrix());
   eye.projection = glm::mat4(camera.projectionMatrix(aspect, bounds));
-  // Stretches the part over the whole of clip space and shifts its middle to 0.
-  const glm::vec2 whole(part.wholeWidth, part.wholeHeight);
-  const glm::vec2 scale = whole / glm::vec2(part.width, part.height);
-  const glm::vec2 middle =
-      (glm::vec2(part.left, part.bottom) + 0.5f * glm::vec2(part.width, part.height)) / whole;
-  eye.tile = glm::vec4(scale, -(2.0f * middle - 1.0f) * scale);
-  eye.viewport = whole;
+  eye.tile = tileOf(part);
+  eye.viewport = glm::vec2(part.wholeWidth, part.wholeHeight);
   eye.orthographic = camera.orthographic;
   const double half =
       camera.orthographic ? camera.halfHeight() : std::tan(0.5 * camera.fieldOfView);

@@ -30,6 +30,9 @@ struct Eye {
 
 Eye makeEye(const Camera& camera, const BoundingSphere& bounds, const PicturePart& part);
 
+/// Scale and offset that stretch the part over the whole of clip space.
+glm::vec4 tileOf(const PicturePart& part);
+
 /// Sets them; the program must be in use.
 void setEye(gl::Program& program, const Eye& eye);
 

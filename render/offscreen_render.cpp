@@ -50,8 +50,12 @@ Image readFramebuffer(const gl::Framebuffer& framebuffer) {
   return image;
 }
 
-Image renderImage(Renderer& renderer, const Camera& camera, const RenderSettings& settings,
-                  const PictureSize& size) {
+namespace {
+
+/// Puts a picture together from parts that `draw` draws into framebuffers of their size, with
+/// widths and letters as large as the supersampling asks for.
+template <typename Draw>
+Image renderParts(const RenderSettings& settings, const PictureSize& size, Draw&& draw) {
   checkSize(size);
   const int factor = size.supersampling;
   RenderSettings larger = settings;
@@ -73,13 +77,59 @@ Image renderImage(Renderer& renderer, const Camera& camera, const RenderSettings
       if (target.width() != part.width || target.height() != part.height) {
         target = gl::Framebuffer(part.width, part.height, size.samples);
       }
-      renderer.draw(target, camera, larger, part);
+      draw(target, larger, part);
       const Image drawn = shrinkImage(readFramebuffer(target), factor);
       for (int y = 0; y < height; ++y) {
         std::copy_n(&drawn.at(0, y), width, &image.at(left, top + y));
       }
     }
   }
+  return image;
+}
+
+void copyInto(const Image& from, int left, Image& to) {
+  for (int y = 0; y < from.height(); ++y) {
+    std::copy_n(&from.at(0, y), from.width(), &to.at(left, y));
+  }
+}
+
+}  // namespace
+
+Image renderImage(Renderer& renderer, const Camera& camera, const RenderSettings& settings,
+                  const PictureSize& size) {
+  return renderParts(settings, size,
+                     [&](const gl::Framebuffer& target, const RenderSettings& larger,
+                         const PicturePart& part) { renderer.draw(target, camera, larger, part); });
+}
+
+Image renderUvImage(Renderer& renderer, const UvCamera& camera, const RenderSettings& settings,
+                    const UvStyle& style, const PictureSize& size) {
+  return renderParts(
+      settings, size,
+      [&](const gl::Framebuffer& target, const RenderSettings& larger, const PicturePart& part) {
+        renderer.drawUv(target, camera, larger, style, part);
+      });
+}
+
+BothWidths widthsOfBoth(const PictureSize& size) {
+  const int uv = std::max(1, std::min(size.height, size.width / 2));
+  return {std::max(1, size.width - uv), uv};
+}
+
+Image renderBothImage(Renderer& renderer, const Camera& camera, const UvCamera& uvCamera,
+                      const RenderSettings& settings, const UvStyle& style,
+                      const PictureSize& size) {
+  checkSize(size);
+  const BothWidths widths = widthsOfBoth(size);
+  PictureSize part = size;
+  Image image(size.width, size.height);
+  part.width = widths.scene;
+  copyInto(renderImage(renderer, camera, settings, part), 0, image);
+  if (widths.scene + widths.uv > size.width) return image;  // one pixel wide
+  RenderSettings withoutBar = settings;
+  withoutBar.scalarBar = false;
+  part.width = widths.uv;
+  copyInto(renderUvImage(renderer, uvCamera, withoutBar, style, part), widths.scene, image);
   return image;
 }
 

@@ -24,6 +24,24 @@ struct PictureSize {
 Image renderImage(Renderer& renderer, const Camera& camera, const RenderSettings& settings,
                   const PictureSize& size);
 
+/// The same of the texture. UvCamera::exact() in a square picture without `style.frame` gives what
+/// lies over a texture image pixel by pixel.
+Image renderUvImage(Renderer& renderer, const UvCamera& camera, const RenderSettings& settings,
+                    const UvStyle& style, const PictureSize& size);
+
+/// Widths of the model's and the texture's part of a picture that shows both side by side: a square
+/// for the texture where there is room for one, else half of the width for each. A camera that
+/// shall show the whole model is framed with the aspect widths.scene / size.height.
+struct BothWidths {
+  int scene = 0, uv = 0;
+};
+BothWidths widthsOfBoth(const PictureSize& size);
+
+/// Model on the left, texture on the right; the scalar bar stands with the model.
+Image renderBothImage(Renderer& renderer, const Camera& camera, const UvCamera& uvCamera,
+                      const RenderSettings& settings, const UvStyle& style,
+                      const PictureSize& size);
+
 /// Reads a drawn framebuffer back with straight alpha, rows from the top.
 Image readFramebuffer(const gl::Framebuffer& framebuffer);
 

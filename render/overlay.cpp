@@ -77,6 +77,16 @@ void Overlay::letters(glm::vec2 pen, std::string_view line, float size, const Ve
   }
 }
 
+std::vector<glm::vec4> Overlay::checkerGlyphs() {
+  std::vector<glm::vec4> entries;
+  for (const char letter : std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789")) {
+    const Glyph& glyph = atlas_.glyph(static_cast<char32_t>(letter));
+    entries.emplace_back(glyph.u0, glyph.v0, glyph.u1, glyph.v1);
+    entries.emplace_back(glyph.width, glyph.height, glyph.top, 0.0f);
+  }
+  return entries;
+}
+
 void Overlay::draw(const glm::vec2& viewport, const glm::vec4& tile, GLuint mapUnit,
                    int colorSteps) {
   if (vertices_.empty()) return;

@@ -38,6 +38,12 @@ class Overlay {
             TextAlign align = TextAlign::Left);
   float textWidth(std::string_view line, float size) { return atlas_.width(line) * size; }
 
+  /// What the numbered checkerboard needs to know of the letters A to Z and the digits 0 to 9: two
+  /// entries each, (u0, v0, u1, v1) in the glyphs' texture and (width, height, top, 0) in ems.
+  std::vector<glm::vec4> checkerGlyphs();
+  /// Makes the glyphs' texture readable.
+  void bindGlyphs(GLuint unit) { atlas_.bind(unit); }
+
   /// Draws what was collected. `tile` is as in common/eye.glsl; the map's texture is at `mapUnit`.
   void draw(const glm::vec2& viewport, const glm::vec4& tile, GLuint mapUnit, int colorSteps);
 

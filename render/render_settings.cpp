@@ -44,6 +44,8 @@ constexpr ColorModeInfo kModes[] = {
      "Squares of the texture: they stay square and of one size where the unwrap is good."},
 };
 
+constexpr const char* kCheckerKinds[] = {"squares", "numbers", "circles"};
+
 glm::vec3 toVector(const Rgb8& c) { return glm::vec3(c[0], c[1], c[2]) / 255.0f; }
 
 bool parseHex(std::string_view text, glm::vec3& color) {
@@ -88,9 +90,26 @@ const ColorModeInfo* findColorMode(std::string_view id) {
   return found == std::end(kModes) ? nullptr : &*found;
 }
 
-bool showsUnwrap(ColorMode mode) {
+bool showsDistortion(ColorMode mode) {
   return mode == ColorMode::Stretch || mode == ColorMode::AreaDistortion ||
-         mode == ColorMode::AngleDistortion || mode == ColorMode::Checkerboard;
+         mode == ColorMode::AngleDistortion;
+}
+
+bool needsUnwrap(ColorMode mode) {
+  return showsDistortion(mode) || mode == ColorMode::Checkerboard;
+}
+
+CheckerKind checkerKindFromId(std::string_view id) {
+  const auto found = std::find(std::begin(kCheckerKinds), std::end(kCheckerKinds), id);
+  if (found == std::end(kCheckerKinds)) {
+    throw UsageError("There is no checkerboard of " + std::string(id) +
+                     "; choose squares, numbers or circles.");
+  }
+  return static_cast<CheckerKind>(found - std::begin(kCheckerKinds));
+}
+
+const char* checkerKindId(CheckerKind kind) {
+  return kCheckerKinds[static_cast<std::size_t>(kind)];
 }
 
 Background backgroundFromText(std::string_view text) {

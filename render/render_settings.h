@@ -39,6 +39,16 @@ enum class ScalarScale {
   Log,
 };
 
+/// What stands on the checkerboard.
+enum class CheckerKind {
+  Squares,
+  Numbers,  ///< squares with a letter for the column and a digit for the row
+  Circles,  ///< one disc in each square: it shows in which direction the surface is stretched
+};
+/// "squares", "numbers", "circles". \throws UsageError otherwise.
+CheckerKind checkerKindFromId(std::string_view id);
+const char* checkerKindId(CheckerKind kind);
+
 /// What is known of a colour mode.
 struct ColorModeInfo {
   ColorMode mode;
@@ -55,9 +65,10 @@ std::span<const ColorModeInfo> colorModeTable();
 const ColorModeInfo& colorModeInfo(ColorMode mode);
 /// The mode with this id, or nullptr.
 const ColorModeInfo* findColorMode(std::string_view id);
-
-/// True for modes that show how charts lie flat.
-bool showsUnwrap(ColorMode mode);
+/// Stretch, area or angle distortion: one value a triangle, from an unwrap.
+bool showsDistortion(ColorMode mode);
+/// The mode has nothing to show before the charts are laid flat.
+bool needsUnwrap(ColorMode mode);
 
 /// The ground behind the model; sRGB in [0, 1].
 struct Background {
@@ -82,6 +93,7 @@ struct RenderSettings {
   std::string palette = "muted";                   ///< chart colours
 
   bool seams = true;        ///< lines between charts
+  bool cuts = true;         ///< lines along which a chart is opened
   bool edges = false;       ///< mesh edges
   bool sharpEdges = false;  ///< creases
   bool seedMarks = true;
@@ -93,10 +105,17 @@ struct RenderSettings {
   Background background;
   float pixelScale = 1;  ///< of all widths and letters
   float seamWidth = 1.8f;
+  float cutWidth = 2.0f;
   float edgeWidth = 1.0f;
   float textSize = 13.0f;  ///< height of an em
   float seedRadius = 8.0f;
-  float checkerSquares = 16;  ///< squares of the checkerboard per unit of texture
+
+  /// Squares of the checkerboard along the diagonal of the model's bounding box, of one size on
+  /// the whole surface; with `checkerInTexture` along a side of the texture.
+  float checkerSquares = 40;
+  bool checkerInTexture = false;
+  CheckerKind checkerKind = CheckerKind::Squares;
+  float checkerTint = 0.55f;  ///< how far the two greys lean towards the chart's colour, 0 to 1
 
   /// Shows the recorded flood with only the first so many faces taken; nothing: the labels.
   std::optional<std::size_t> playhead;
@@ -106,6 +125,15 @@ struct RenderSettings {
   std::vector<Index> hiddenCharts;    ///< not drawn at all
 
   bool operator==(const RenderSettings&) const = default;
+};
+
+/// What a picture of the texture shows beside RenderSettings.
+struct UvStyle {
+  bool fill = true;           ///< false: outlines alone
+  bool frame = true;          ///< the texture's border with numbers, and a grid
+  float outlineWidth = 1.4f;  ///< of the charts' borders; pixels as in RenderSettings
+
+  bool operator==(const UvStyle&) const = default;
 };
 
 }  // namespace chartflood

@@ -18,14 +18,18 @@
 #include "core/model/segmentation.h"
 #include "render/camera.h"
 #include "render/chart_layer.h"
+#include "render/cut_layer.h"
 #include "render/eye.h"
 #include "render/flood_layer.h"
 #include "render/gauss_layer.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
+#include "render/label_places.h"
 #include "render/overlay.h"
 #include "render/render_settings.h"
 #include "render/surface_mesh.h"
+#include "render/uv_camera.h"
+#include "render/uv_layer.h"
 
 namespace chartflood {
 
@@ -43,13 +47,6 @@ struct Pick {
   Index chart = kNone;  ///< kNone where the face has none
   glm::dvec3 point{0};  ///< on the surface, normalised units
   bool hit() const { return triangle != kNone; }
-};
-
-/// Where a chart's number may stand in a picture.
-struct ChartLabel {
-  Index chart = kNone;
-  glm::vec2 place{0};  ///< pixels from the top left
-  float room = 0;      ///< free pixels around it inside the visible chart
 };
 
 /// The middle of a face: where its seed mark stands. Normalised units.
@@ -79,8 +76,12 @@ class Renderer {
   /// Values of Stretch, AreaDistortion or AngleDistortion: one a triangle, NaN for none; empty to
   /// forget them. \throws Error for another mode or number of values.
   void setTriangleValues(ColorMode mode, std::span<const float> values);
-  /// Texture place of each corner, three a triangle; empty to forget them.
+  /// Texture place of each corner, three a triangle, NaN for none; empty to forget them.
   void setCornerUv(std::span<const glm::vec2> uv);
+  /// The same, worked out before on any thread.
+  void setUvLayout(UvLayout layout);
+  /// Sides of the mesh along which charts are opened, in order along each path; empty: none.
+  void setCuts(std::span<const Index> sides);
 
   /// False while a mode has nothing to show; draw() then shows the plain surface.
   bool canShow(ColorMode mode) const;
@@ -95,6 +96,13 @@ class Renderer {
   /// Draws one part of a picture into a framebuffer of the part's size.
   void draw(const gl::Framebuffer& target, const Camera& camera, const RenderSettings& settings,
             const PicturePart& part);
+
+  /// Draws the texture: charts laid flat, in the colours of the mode. Nothing but the ground before
+  /// setCornerUv(). Light and seeds are left out, hidden charts too.
+  void drawUv(const gl::Framebuffer& target, const UvCamera& camera, const RenderSettings& settings,
+              const UvStyle& style);
+  void drawUv(const gl::Framebuffer& target, const UvCamera& camera, const RenderSettings& settings,
+              const UvStyle& style, const PicturePart& part);
 
   /// Begins a picture that continueDrawing() draws piece by piece, so that a slow driver never
   /// holds up the caller. An unfinished one is dropped, as it is by draw() and by another mesh. The
@@ -119,6 +127,11 @@ class Renderer {
   std::vector<ChartLabel> chartLabels(const Camera& camera, const RenderSettings& settings,
                                       int width, int height);
 
+  /// The same for pictures of the texture; `point` is the place on the surface.
+  Pick pickUv(const UvCamera& camera, int width, int height, int x, int y);
+  std::vector<Index> triangleImage(const UvCamera& camera, int width, int height);
+
+  bool hasUv() const { return uv_.has_value(); }
   const Mesh* mesh() const { return mesh_.get(); }
   const BoundingSphere& bounds() const { return bounds_; }
   /// Colour of a chart as drawn, sRGB in [0, 1]; grey for a chart not known yet.
@@ -129,10 +142,12 @@ class Renderer {
     gl::TextureBuffer values;
     ScalarRange range;
   };
-  /// A program and uniforms shared by the passes of one picture.
+  /// What the passes of one picture share.
   struct Frame {
     const RenderSettings& settings;
     Eye eye;
+    float dash = 0;          ///< a dash and a gap of a cut, in units of the eye's space
+    bool inTexture = false;  ///< triangles stand where the texture has them
   };
 
   /// A picture on its way.
@@ -145,16 +160,29 @@ class Renderer {
     std::size_t pieceSize;  ///< triangles, by what the last piece took
   };
 
+  Frame frameOf(const RenderSettings& settings, const Camera& camera,
+                const PicturePart& part) const;
+  static float dashLength(float pixel, const RenderSettings& settings);
+  Index shownChart(Index triangle, const RenderSettings& settings) const;
+  unsigned hoveredChart(const RenderSettings& settings) const;
+  void forgetUv();
+
   void drawBackground(const Frame& frame);
   /// Draws up to so many triangles from `first` on; returns the first one that is left.
   std::size_t drawSurface(const Frame& frame, std::size_t first, std::size_t count);
   bool drawSurfacePieces(const Frame& frame, Unfinished& picture, double seconds);
   int fillNumber(const RenderSettings& settings) const;
-  gl::Program& surfaceProgram(const RenderSettings& settings);
+  gl::Program& surfaceProgram(const Frame& frame);
+  void setChecker(gl::Program& program, const RenderSettings& settings);
   void setFill(gl::Program& program, const Frame& frame);
   void drawLines(const Frame& frame);
   void drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths,
-                    const glm::vec4& color);
+                    const glm::vec4& color, float dash = 0, std::size_t first = 0);
+  void drawUvGround(const Frame& frame, const UvCamera& camera);
+  void drawUvLines(const Frame& frame, const UvStyle& style);
+  void drawUvOutline(const Frame& frame, const SegmentRange& range, float width);
+  void addUvNumbers(const Frame& frame, const UvCamera& camera);
+  const std::vector<ChartLabel>& uvLabels();
   void drawMarks(const Frame& frame);
   void uploadSeeds(const RenderSettings& settings);
   void drawOverlay(const Frame& frame, const Camera& camera);
@@ -163,9 +191,11 @@ class Renderer {
   void setScale(gl::Program& program, const ScalarRange& range, const RenderSettings& settings);
   void useColorMap(const RenderSettings& settings);
   ScalarRange chosenRange(ScalarRange range, const RenderSettings& settings) const;
-  void drawIds(const Eye& eye, int width, int height, std::vector<GLuint>& ids, float* depth);
+  std::vector<GLuint> drawIds(gl::Program& program, const Eye& eye, int width, int height,
+                              const RenderSettings& settings, float* depth);
+  Pick pickOf(Index triangle) const;
 
-  gl::Program backgroundProgram_, lineProgram_, pointProgram_, idProgram_;
+  gl::Program backgroundProgram_, lineProgram_, pointProgram_, idProgram_, idUvProgram_;
   std::map<std::vector<std::string>, gl::Program> surfacePrograms_;  // by their macros
   gl::VertexArray emptyVertexArray_;
   gl::Texture colorMap_;
@@ -179,8 +209,9 @@ class Renderer {
   std::optional<FloodLayer> flood_;
   std::optional<GaussLayer> gauss_;
   std::map<ColorMode, ValueLayer> values_;
-  gl::TextureBuffer cornerUv_, seeds_;
-  bool hasCornerUv_ = false;
+  std::optional<UvLayer> uv_;
+  std::optional<CutLayer> cuts_;
+  gl::TextureBuffer seeds_, checkerGlyphs_;
   RenderSettings lastSettings_;  // of the last picture: what is hidden there cannot be picked
   std::vector<SeedMark> seedMarks_;
   std::vector<glm::vec4> uploadedSeeds_;

@@ -30,47 +30,29 @@ struct IdTarget {
   }
 };
 
-/// Distance of each pixel to the border of its region, by two sweeps over the picture (chamfer
-/// distance with steps 1 and sqrt 2); 0 outside all charts.
-std::vector<float> distanceToBorder(const std::vector<Index>& chart, int width, int height) {
-  constexpr float kDiagonal = 1.41421356f;
-  std::vector<float> distance(chart.size(), 0.0f);
-  const auto index = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(x);
-  };
-  const auto via = [&](std::size_t here, int x, int y, float step) {
-    if (x < 0 || y < 0 || x >= width || y >= height) return step;
-    const std::size_t there = index(x, y);
-    return chart[there] == chart[here] ? distance[there] + step : step;
-  };
+std::vector<Index> emptyImage(int width, int height) {
+  return std::vector<Index>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+                            kNone);
+}
+
+/// Triangle numbers, the bottom row of `ids` last.
+std::vector<Index> fromTop(const std::vector<GLuint>& ids, int width, int height) {
+  const auto rowLength = static_cast<std::ptrdiff_t>(width);
+  std::vector<Index> image = emptyImage(width, height);
   for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const std::size_t here = index(x, y);
-      if (chart[here] == kNone) continue;
-      distance[here] =
-          std::min({via(here, x - 1, y, 1), via(here, x, y - 1, 1),
-                    via(here, x - 1, y - 1, kDiagonal), via(here, x + 1, y - 1, kDiagonal)});
-    }
+    const auto from = ids.begin() + (height - 1 - y) * rowLength;
+    std::transform(from, from + rowLength, image.begin() + y * rowLength,
+                   [](GLuint id) { return id == 0 ? kNone : id - 1; });
   }
-  for (int y = height; y-- > 0;) {
-    for (int x = width; x-- > 0;) {
-      const std::size_t here = index(x, y);
-      if (chart[here] == kNone) continue;
-      distance[here] =
-          std::min({distance[here], via(here, x + 1, y, 1), via(here, x, y + 1, 1),
-                    via(here, x + 1, y + 1, kDiagonal), via(here, x - 1, y + 1, kDiagonal)});
-    }
-  }
-  return distance;
+  return image;
 }
 
 }  // namespace
 
-void Renderer::drawIds(const Eye& eye, int width, int height, std::vector<GLuint>& ids,
-                       float* depth) {
+std::vector<GLuint> Renderer::drawIds(gl::Program& program, const Eye& eye, int width, int height,
+                                      const RenderSettings& settings, float* depth) {
   const gl::FramebufferScope keep;
-  charts_->update(lastSettings_, flood_->longestTime());
+  charts_->update(settings, flood_->longestTime());
   const IdTarget target(width, height);
   const GLuint none[4] = {0, 0, 0, 0};
   const GLfloat farthest = 1;
@@ -82,32 +64,39 @@ void Renderer::drawIds(const Eye& eye, int width, int height, std::vector<GLuint
   glEnable(GL_DEPTH_TEST);
   glClearBufferuiv(GL_COLOR, 0, none);
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  idProgram_.use();
-  setEye(idProgram_, eye);
+  program.use();
+  setEye(program, eye);
   charts_->bindLabels(units::kLabels);
   charts_->bindColors(units::kChartColors);
-  idProgram_.set("uLabels", static_cast<int>(units::kLabels));
-  idProgram_.set("uChartColors", static_cast<int>(units::kChartColors));
-  surface_->draw(lastSettings_.hiddenCharts.empty());
-  ids.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  program.set("uLabels", static_cast<int>(units::kLabels));
+  program.set("uChartColors", static_cast<int>(units::kChartColors));
+  const bool flat = &program == &idUvProgram_;
+  surface_->draw(settings.hiddenCharts.empty() && !flat);
+  std::vector<GLuint> ids(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
   glReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, ids.data());
   if (depth) glReadPixels(0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
   glDisable(GL_DEPTH_TEST);
   glUseProgram(0);
   glActiveTexture(GL_TEXTURE0);
+  return ids;
+}
+
+Pick Renderer::pickOf(Index triangle) const {
+  Pick pick;
+  pick.triangle = triangle;
+  pick.face = mesh_->faceOf(triangle);
+  pick.chart = charts_->chartOf(triangle);
+  return pick;
 }
 
 Pick Renderer::pick(const Camera& camera, int width, int height, int x, int y) {
-  Pick pick;
-  if (!mesh_ || x < 0 || y < 0 || x >= width || y >= height) return pick;
+  if (!mesh_ || x < 0 || y < 0 || x >= width || y >= height) return {};
   const PicturePart pixel{width, height, x, height - 1 - y, 1, 1};
-  std::vector<GLuint> ids;
   float depth = 1;
-  drawIds(makeEye(camera, bounds_, pixel), 1, 1, ids, &depth);
-  if (ids[0] == 0) return pick;
-  pick.triangle = ids[0] - 1;
-  pick.face = mesh_->faceOf(pick.triangle);
-  pick.chart = charts_->chartOf(pick.triangle);
+  const std::vector<GLuint> ids =
+      drawIds(idProgram_, makeEye(camera, bounds_, pixel), 1, 1, lastSettings_, &depth);
+  if (ids[0] == 0) return {};
+  Pick pick = pickOf(ids[0] - 1);
   const double aspect = double(width) / height;
   const glm::dvec4 clip(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height, 2.0 * depth - 1, 1);
   const glm::dvec4 point =
@@ -117,18 +106,10 @@ Pick Renderer::pick(const Camera& camera, int width, int height, int x, int y) {
 }
 
 std::vector<Index> Renderer::triangleImage(const Camera& camera, int width, int height) {
-  const auto rowLength = static_cast<std::ptrdiff_t>(width);
-  std::vector<Index> image(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
-                           kNone);
-  if (!mesh_) return image;
-  std::vector<GLuint> ids;
-  drawIds(makeEye(camera, bounds_, PicturePart::whole(width, height)), width, height, ids, nullptr);
-  for (int y = 0; y < height; ++y) {
-    const auto from = ids.begin() + (height - 1 - y) * rowLength;
-    std::transform(from, from + rowLength, image.begin() + y * rowLength,
-                   [](GLuint id) { return id == 0 ? kNone : id - 1; });
-  }
-  return image;
+  if (!mesh_) return emptyImage(width, height);
+  return fromTop(drawIds(idProgram_, makeEye(camera, bounds_, PicturePart::whole(width, height)),
+                         width, height, lastSettings_, nullptr),
+                 width, height);
 }
 
 std::vector<ChartLabel> Renderer::chartLabels(const Camera& camera, const RenderSettings& settings,
@@ -140,23 +121,9 @@ std::vector<ChartLabel> Renderer::chartLabels(const Camera& camera, const Render
   const int h = std::max(1, static_cast<int>(std::lround(height * shrink)));
   std::vector<Index> chart = triangleImage(camera, w, h);
   for (Index& pixel : chart) {
-    if (pixel == kNone) continue;
-    const glm::uvec2 taken = flood_->taken()[pixel];
-    if (!settings.playhead)
-      pixel = charts_->chartOf(pixel);
-    else
-      pixel = taken.x < *settings.playhead ? taken.y : kNone;
+    if (pixel != kNone) pixel = shownChart(pixel, settings);
   }
-  const std::vector<float> distance = distanceToBorder(chart, w, h);
-  std::vector<ChartLabel> best(charts_->chartCount());
-  for (std::size_t i = 0; i < chart.size(); ++i) {
-    if (chart[i] == kNone || distance[i] <= best[chart[i]].room) continue;
-    const auto column = static_cast<float>(i % static_cast<std::size_t>(w));
-    const std::size_t line = i / static_cast<std::size_t>(w);
-    const auto row = static_cast<float>(line);
-    best[chart[i]] = {chart[i], {column + 0.5f, row + 0.5f}, distance[i]};
-  }
-  std::erase_if(best, [](const ChartLabel& label) { return label.chart == kNone; });
+  std::vector<ChartLabel> best = interiorPlaces(chart, w, h, charts_->chartCount());
   const glm::vec2 enlarge(static_cast<float>(width) / static_cast<float>(w),
                           static_cast<float>(height) / static_cast<float>(h));
   for (ChartLabel& label : best) {
@@ -164,6 +131,50 @@ std::vector<ChartLabel> Renderer::chartLabels(const Camera& camera, const Render
     label.room *= std::min(enlarge.x, enlarge.y);
   }
   return best;
+}
+
+Pick Renderer::pickUv(const UvCamera& camera, int width, int height, int x, int y) {
+  if (!uv_ || x < 0 || y < 0 || x >= width || y >= height) return {};
+  const PicturePart pixel{width, height, x, height - 1 - y, 1, 1};
+  const std::vector<GLuint> ids =
+      drawIds(idUvProgram_, makeEye(camera, pixel), 1, 1, lastSettings_, nullptr);
+  if (ids[0] == 0) return {};
+  Pick pick = pickOf(ids[0] - 1);
+  const glm::dvec2 uv = camera.toUv({x + 0.5, y + 0.5}, {width, height});
+  pick.point = uv_->surfacePoint(pick.triangle, uv);
+  return pick;
+}
+
+std::vector<Index> Renderer::triangleImage(const UvCamera& camera, int width, int height) {
+  if (!uv_) return emptyImage(width, height);
+  return fromTop(drawIds(idUvProgram_, makeEye(camera, PicturePart::whole(width, height)), width,
+                         height, lastSettings_, nullptr),
+                 width, height);
+}
+
+const std::vector<ChartLabel>& Renderer::uvLabels() {
+  if (uv_->labels()) return *uv_->labels();
+  constexpr int kSide = 768;  // of the picture that is searched
+  const UvLayout& layout = uv_->layout();
+  UvCamera camera;
+  camera.center = 0.5f * (layout.low + layout.high);
+  camera.span = std::max(
+      {layout.high.x - layout.low.x, layout.high.y - layout.low.y, float(UvCamera::kLeastSpan)});
+  const RenderSettings all;  // hidden charts too: places do not depend on what is shown
+  std::vector<Index> chart =
+      fromTop(drawIds(idUvProgram_, makeEye(camera, PicturePart::whole(kSide, kSide)), kSide, kSide,
+                      all, nullptr),
+              kSide, kSide);
+  for (Index& pixel : chart) {
+    if (pixel != kNone) pixel = charts_->chartOf(pixel);
+  }
+  std::vector<ChartLabel> labels = interiorPlaces(chart, kSide, kSide, charts_->chartCount());
+  for (ChartLabel& label : labels) {
+    label.place = glm::vec2(camera.toUv(label.place, glm::dvec2(kSide)));
+    label.room *= static_cast<float>(camera.span / kSide);
+  }
+  uv_->setLabels(std::move(labels));
+  return *uv_->labels();
 }
 
 }  // namespace chartflood

@@ -2,22 +2,30 @@
 /// The mesh as the graphics card sees it. Uploaded once; changes of colour mode or playhead touch
 /// nothing here.
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/model/corner_normals.h"
+#include <glm/vec3.hpp>
+
 #include "core/model/mesh.h"
 #include "render/gl/objects.h"
 
 namespace chartflood {
 
 /// Indexed triangles in the mesh's own order, so that gl_PrimitiveID is the triangle's number.
-/// Corners of one vertex share an entry where their normals agree.
+/// Corners of one vertex share an entry where their normals and texture places agree.
 class SurfaceMesh {
  public:
   /// Uploads places and normals. Without `normals` shading uses the plane of each triangle.
   SurfaceMesh(const Mesh& mesh, const CornerNormals* normals);
+
+  /// Gives each corner (three a triangle) its place in the texture and the scale of its island, as
+  /// in UvLayout; empty takes them away. Parts the vertices along the islands' borders anew.
+  void setCornerTexture(std::span<const glm::vec3> corners);
 
   std::size_t triangleCount() const { return triangleCount_; }
   bool hasNormals() const { return hasNormals_; }
@@ -25,8 +33,8 @@ class SurfaceMesh {
   bool insideOut() const { return insideOut_; }
   /// Insides of a closed surface in one piece need not be drawn.
   bool culled() const { return culled_; }
-  /// Draws all triangles with the program in use (attributes 0: place, 1: normal), those seen from
-  /// inside only where `outsideAlone` is false or the surface is open.
+  /// Draws all triangles with the program in use (attributes 0: place, 1: normal, 2: texture place
+  /// and scale), those seen from inside only where `outsideAlone` is false or the surface is open.
   void draw(bool outsideAlone) const { draw(outsideAlone, 0, triangleCount_); }
   /// The same for the triangles [first, first + count); shaders count primitives from 0 again.
   void draw(bool outsideAlone, std::size_t first, std::size_t count) const;
@@ -34,10 +42,23 @@ class SurfaceMesh {
   void bindArrays(GLuint vertexUnit, GLuint indexUnit, GLuint innerSideUnit) const;
 
  private:
+  /// One drawn vertex; 16 bytes, so that shaders can read the array as vec4 too.
+  struct GpuVertex {
+    std::array<float, 3> place;
+    std::uint32_t normal;  ///< GL_INT_2_10_10_10_REV
+  };
+  struct VertexList {
+    std::vector<GpuVertex> vertices;
+    std::vector<Index> indices;
+  };
+  static VertexList shareCorners(const Mesh& mesh, const CornerNormals* normals);
+  void upload(const VertexList& list);
+
   std::size_t triangleCount_ = 0;
   bool hasNormals_ = false, culled_ = false, insideOut_ = false;
+  VertexList list_;  ///< without texture places
   gl::VertexArray vertexArray_;
-  gl::Buffer vertices_, indices_;
+  gl::Buffer vertices_, indices_, texturePlaces_;
   gl::Texture vertexTexture_, indexTexture_;
   gl::TextureBuffer innerSides_;
 };

@@ -16,6 +16,6 @@ inline constexpr GLuint kChartValues = 7;
 inline constexpr GLuint kVertices = 8;
 inline constexpr GLuint kIndices = 9;
 inline constexpr GLuint kInnerSides = 10;
-inline constexpr GLuint kCornerUv = 11;
+inline constexpr GLuint kCheckerGlyphs = 11;
 
 }  // namespace chartflood::units

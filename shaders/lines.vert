@@ -3,7 +3,7 @@
 #include "common/color_map.glsl"
 #include "common/eye.glsl"
 
-uniform samplerBuffer uSegments;  // two texels each: (start, value), (end, unused)
+uniform samplerBuffer uSegments;  // two texels each: (start, value), (end, value)
 uniform int uFirst;
 uniform vec2 uWidths;    // pixels, at the low and the high end of the scale; equal: no scale
 uniform vec4 uColor;     // sRGB; alpha 0: colour by value
@@ -12,6 +12,7 @@ noperspective out vec2 vPlace;  // along and across the segment, pixels
 flat out float vLength;
 flat out float vRadius;
 flat out vec3 vColor;
+flat out vec2 vEnds;  // values at both ends, for dashes
 
 const float kNear = 1e-4;
 
@@ -20,7 +21,9 @@ void main() {
   int corner = gl_VertexID % 6;
   vec4 first = texelFetch(uSegments, 2 * segment);
   vec3 a = (uView * vec4(first.xyz, 1.0)).xyz;
-  vec3 b = (uView * vec4(texelFetch(uSegments, 2 * segment + 1).xyz, 1.0)).xyz;
+  vec4 second = texelFetch(uSegments, 2 * segment + 1);
+  vec3 b = (uView * vec4(second.xyz, 1.0)).xyz;
+  vEnds = vec2(first.w, second.w);
   float t = scaled(first.w);
   vRadius = 0.5 * mix(uWidths.x, uWidths.y, t);
   vColor = uColor.a == 0.0 ? mapped(t) : uColor.rgb;

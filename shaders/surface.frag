@@ -5,7 +5,9 @@
 //   STATES        charts may be hidden or step back
 //   LIGHT         light and shadow; with FLAT each triangle is shaded by its plane, with
 //                 VERTEX_LIGHT by what its corners receive
-//   PLACES        with WIRE (mesh edges) and the checkerboard: corners' places are looked up
+//   WIRE          mesh edges: corners' places are looked up
+//   CHECKER 0..2  what stands on the checkerboard, with its FILL
+//   IN_TEXTURE    triangles stand where the texture has them
 #include "common/color_map.glsl"
 #include "common/light.glsl"
 
@@ -20,6 +22,10 @@ const uint kNone = 0xFFFFFFFFu;
 #define FILL_CHECKER 6
 #ifndef FILL
 #define FILL FILL_CHARTS
+#endif
+#if FILL == FILL_CHECKER
+#include "common/checker.glsl"
+in vec2 vChecker;  // squares; far below 0: no place in the texture
 #endif
 
 uniform vec3 uPlainColor;  // sRGB
@@ -40,15 +46,14 @@ uniform float uWireWidth;            // pixels
 uniform samplerBuffer uVertices;     // place and packed normal of each drawn vertex
 uniform usamplerBuffer uIndices;     // three vertices a triangle
 uniform usamplerBuffer uInnerSides;  // bit i: side i is inside a polygon
-uniform samplerBuffer uCornerUv;     // three texture places a triangle
-uniform float uCheckerSquares;       // per unit of uv
 
 uniform int uFirstTriangle;  // of the part of the mesh that is drawn
 
 uniform uint uHoverFirst;  // triangles [first, end) under the pointer
 uniform uint uHoverEnd;
+uniform uint uHoverChart;  // the chart under the pointer
 
-#ifdef PLACES
+#ifdef WIRE
 in vec3 vModel;
 #endif
 #ifdef FLAT
@@ -60,7 +65,7 @@ in vec3 vNormal;
 #endif
 out vec4 oColor;
 
-#ifdef PLACES
+#ifdef WIRE
 // Weights of the triangle's corners at this place.
 vec3 barycentric(int triangle) {
   vec3 a = texelFetch(uVertices, int(texelFetch(uIndices, 3 * triangle).r)).xyz;
@@ -87,28 +92,18 @@ float wireCover(vec3 weights, int triangle) {
   float size = 1.0 / max(max(slope.x, slope.y), slope.z);
   return cover * smoothstep(2.5, 9.0, size);
 }
-
-// Two greys in squares, smoothed over the width of a pixel (box filter of the square wave).
-float checker(vec2 uv) {
-  vec2 place = uv * uCheckerSquares;
-  vec2 width = max(fwidth(place), vec2(1e-6));
-  vec2 wave = (abs(fract((place - 0.5 * width) * 0.5) - 0.5) -
-               abs(fract((place + 0.5 * width) * 0.5) - 0.5)) * 2.0 / width;
-  return 0.5 - 0.5 * clamp(wave.x, -1.0, 1.0) * clamp(wave.y, -1.0, 1.0);
-}
 #endif
 
-vec3 fillColor(int triangle, uint chart, uint order, vec3 weights) {
+vec3 fillColor(int triangle, uint chart, uint order) {
 #if FILL == FILL_PLAIN
   return uPlainColor;
 #elif FILL == FILL_TRIANGLE_VALUE
   float value = texelFetch(uValues, triangle).r;
   return isnan(value) ? uDryColor : mapped(scaled(value));
 #elif FILL == FILL_CHECKER
-  vec2 uv = weights.x * texelFetch(uCornerUv, 3 * triangle).rg +
-            weights.y * texelFetch(uCornerUv, 3 * triangle + 1).rg +
-            weights.z * texelFetch(uCornerUv, 3 * triangle + 2).rg;
-  return mix(vec3(0.38), vec3(0.93), checker(uv));
+  if (vChecker.x < -1e20) return uDryColor;
+  vec3 tint = chart == kNone ? vec3(0.6) : texelFetch(uChartColors, int(chart)).rgb;
+  return checkerColor(vChecker, tint);
 #else
   if (chart == kNone) return uDryColor;
 #if FILL == FILL_CHARTS
@@ -163,12 +158,7 @@ void main() {
   float presence = chart == kNone ? 1.0 : texelFetch(uChartColors, int(chart)).a;
   if (presence == 0.0) discard;
 #endif
-#ifdef PLACES
-  vec3 weights = barycentric(triangle);
-#else
-  vec3 weights = vec3(0.0);
-#endif
-  vec3 color = fillColor(triangle, chart, order, weights);
+  vec3 color = fillColor(triangle, chart, order);
 #ifdef FLOOD
   if (chart == kNone) color = uDryColor;
 #endif
@@ -181,12 +171,14 @@ void main() {
   color = mix(color, vec3(1.0, 0.98, 0.90), front);
 #endif
   uint id = uint(triangle);
-  if (id >= uHoverFirst && id < uHoverEnd) color = mix(color, vec3(1.0), 0.45);
+  float hover = chart != kNone && chart == uHoverChart ? 0.14 : 0.0;
+  if (id >= uHoverFirst && id < uHoverEnd) hover = 0.5;
+  color = mix(color, vec3(1.0), hover);
 #ifdef LIGHT
   color = lit(color);
 #endif
 #ifdef WIRE
-  color = mix(color, vec3(0.07), 0.75 * wireCover(weights, triangle));
+  color = mix(color, vec3(0.07), 0.75 * wireCover(barycentric(triangle), triangle));
 #endif
   oColor = vec4(color, 1.0);
 }

@@ -5,6 +5,7 @@
 
 #include "app/cli/camera_options.h"
 #include "core/gauss/sector_normals.h"
+#include "render/corner_uv.h"
 #include "render/gl/offscreen_context.h"
 #include "render/offscreen_render.h"
 #include "render/renderer.h"
@@ -24,6 +25,18 @@ std::vector<SeedMark> seedMarks(const Segmentation& segmentation) {
   return marks;
 }
 
+void fillFlat(Renderer& renderer, const Results& results) {
+  renderer.setCornerUv(cornerUv(*results.mesh, *results.charts, *results.atlas));
+  renderer.setCuts(cutSides(*results.charts));
+  renderer.setTriangleValues(ColorMode::Stretch, results.unwrap->stretch);
+  renderer.setTriangleValues(ColorMode::AreaDistortion, results.unwrap->area);
+  renderer.setTriangleValues(ColorMode::AngleDistortion, results.unwrap->angle);
+}
+
+float pixelScale(int width, int height) {
+  return std::max(0.5f, static_cast<float>(std::min(width, height)) / kUsualSide);
+}
+
 void fill(Renderer& renderer, const Results& results) {
   const CornerNormals normals = computeCornerNormals(*results.mesh, results.parameters.sharpAngle);
   renderer.setMesh(results.mesh, &normals);
@@ -32,24 +45,45 @@ void fill(Renderer& renderer, const Results& results) {
   renderer.setFlood(results.record);
   renderer.updateFlood();
   renderer.setSeeds(seedMarks(*results.segmentation));
+  if (results.flat) fillFlat(renderer, results);
 }
 
 }  // namespace
 
 Image drawPicture(const Results& results, const PictureOptions& options,
                   const std::string& backend) {
+  using View = PictureOptions::View;
   const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
   const gl::CurrentScope current(*context);
   Renderer renderer;
   fill(renderer, results);
-  const double aspect = static_cast<double>(options.width) / options.height;
-  RenderSettings settings = options.settings;
-  settings.pixelScale =
-      std::max(0.5f, static_cast<float>(std::min(options.width, options.height)) / kUsualSide);
   const PictureSize size{
       .width = options.width, .height = options.height, .supersampling = options.supersampling};
-  return renderImage(renderer, cameraFromOptions(*results.mesh, options.camera, aspect), settings,
-                     size);
+  RenderSettings settings = options.settings;
+  settings.pixelScale = pixelScale(options.width, options.height);
+  const UvCamera texture = UvCamera::whole();
+  if (options.view == View::Uv) return renderUvImage(renderer, texture, settings, {}, size);
+  const bool both = options.view == View::Both;
+  const int width = both ? widthsOfBoth(size).scene : size.width;
+  const Camera camera =
+      cameraFromOptions(*results.mesh, options.camera, static_cast<double>(width) / size.height);
+  if (both) return renderBothImage(renderer, camera, texture, settings, {}, size);
+  return renderImage(renderer, camera, settings, size);
+}
+
+Image drawTexture(const Results& results, const PictureOptions& options,
+                  const std::string& backend) {
+  const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
+  const gl::CurrentScope current(*context);
+  Renderer renderer;
+  fill(renderer, results);
+  const PictureSize size{.width = results.atlas->textureSize,
+                         .height = results.atlas->textureSize,
+                         .supersampling = options.supersampling};
+  RenderSettings settings = options.settings;
+  settings.scalarBar = false;
+  settings.pixelScale = pixelScale(size.width, size.height);
+  return renderUvImage(renderer, UvCamera::exact(), settings, {.frame = false}, size);
 }
 
 ImageTexts pictureTexts(const Results& results) {

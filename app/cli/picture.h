@@ -15,6 +15,11 @@ namespace chartflood {
 Image drawPicture(const Results& results, const PictureOptions& options,
                   const std::string& backend);
 
+/// The charts in the texture and nothing else: over a texture image of the same size it shows what
+/// lies where. \pre results.flat \throws Error when nothing can draw
+Image drawTexture(const Results& results, const PictureOptions& options,
+                  const std::string& backend);
+
 /// What a picture file says about itself: the program, the model and every parameter that differs
 /// from its default, as options.
 ImageTexts pictureTexts(const Results& results);

@@ -120,7 +120,7 @@ std::string needsFlatCharts(const Invocation& call) {
   if (!call.exportSeams.empty()) return "--export-seams";
   if (call.output.empty()) return "";
   if (call.picture.view != PictureOptions::View::Model) return "--view";
-  return showsUnwrap(call.picture.settings.colorMode) ? "--color-by" : "";
+  return needsUnwrap(call.picture.settings.colorMode) ? "--color-by" : "";
 }
 
 }  // namespace

@@ -49,6 +49,8 @@ GlyphAtlas::~GlyphAtlas() = default;
 
 float GlyphAtlas::distanceUnit() { return 2.0f * kPadding; }
 
+float GlyphAtlas::pixelsPerEm() { return kEm; }
+
 const Glyph& GlyphAtlas::glyph(char32_t letter) {
   const auto [place, isNew] = glyphs_.try_emplace(letter);
   if (isNew) rasterize(letter, place->second);

@@ -34,6 +34,7 @@ class GlyphAtlas {
   void bind(GLuint unit);
   /// Pixels of the texture over the whole range of distances, 0 to 1.
   static float distanceUnit();
+  static float pixelsPerEm();
   /// Height of capital letters, ems.
   float capHeight() const { return capHeight_; }
 

@@ -9,6 +9,12 @@ uniform bool uOrthographic;
 
 vec4 tiled(vec4 clip) { return vec4(clip.xy * uTile.xy + clip.w * uTile.zw, clip.zw); }
 
+// Clip space of a texture place, of pictures of the texture; outside where there is no place.
+vec4 inTexture(vec2 place) {
+  if (place.x < -1e29) return vec4(2.0, 2.0, 2.0, 1.0);
+  return tiled(uProjection * vec4(place, 0.0, 1.0));
+}
+
 // Brings a point of camera space closer by so many pixels' width; its place in the picture stays.
 vec3 raised(vec3 p, float pixels) {
   if (uOrthographic) return p + vec3(0.0, 0.0, pixels * uPixel);

@@ -1,0 +1,189 @@
+// Pictures of the texture: the charts laid flat.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "core/base/check.h"
+#include "render/color_map.h"
+#include "render/renderer.h"
+#include "render/renderer_colors.h"
+#include "render/texture_units.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr glm::vec4 kWhite(0.98f, 0.98f, 0.97f, 1);
+
+bool contains(const std::vector<Index>& list, Index value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+/// Distance of the grid's lines: round numbers that stand at least 64 pixels apart.
+double gridStep(double pixelsPerUnit) {
+  double step = 1;
+  for (double decade = 1; decade > 1e-7; decade /= 10) {
+    for (const double factor : {1.0, 0.5, 0.25}) {
+      if (decade * factor * pixelsPerUnit < 64) return step;
+      step = decade * factor;
+    }
+  }
+  return step;
+}
+
+std::string numberText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value == 0 ? 0.0 : value);  // never "-0"
+  return text;
+}
+
+/// Ink for lines and numbers on a ground, by its lightness.
+glm::vec3 inkOn(const Background& background) {
+  const bool light = !background.transparent && lightness(background.top) > 55;
+  return light ? glm::vec3(0) : glm::vec3(1);
+}
+
+}  // namespace
+
+void Renderer::drawUv(const gl::Framebuffer& target, const UvCamera& camera,
+                      const RenderSettings& settings, const UvStyle& style) {
+  drawUv(target, camera, settings, style, PicturePart::whole(target.width(), target.height()));
+}
+
+void Renderer::drawUv(const gl::Framebuffer& target, const UvCamera& camera,
+                      const RenderSettings& settings, const UvStyle& style,
+                      const PicturePart& part) {
+  CF_CHECK(part.width == target.width() && part.height == target.height());
+  // Worked out before the target is bound: it draws a picture of its own.
+  if (uv_ && settings.numbers) uvLabels();
+  const gl::FramebufferScope keep;
+  lastSettings_ = settings;
+  if (mesh_) charts_->update(settings, flood_->longestTime());
+  Frame frame{settings, makeEye(camera, part), 0, true};
+  frame.dash = dashLength(frame.eye.pixel, settings);
+  useColorMap(settings);
+  target.bindForDrawing();
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_DEPTH_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_BLEND);
+  drawBackground(frame);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (style.frame) drawUvGround(frame, camera);
+  if (uv_) {
+    if (style.fill) drawSurface(frame, 0, mesh_->triangleCount());
+    drawUvLines(frame, style);
+    overlay_.clear();
+    if (settings.numbers) addUvNumbers(frame, camera);
+    const std::optional<ScalarRange> range = scalarRange(settings);
+    if (settings.scalarBar && range) addScalarBar(frame, *range);
+    overlay_.draw(frame.eye.viewport, frame.eye.tile, units::kColorMap, settings.colorSteps);
+  }
+  glDisable(GL_BLEND);
+  glUseProgram(0);
+  glActiveTexture(GL_TEXTURE0);
+  target.resolve();
+}
+
+/// The texture's square on a grid, with numbers at its border. Lines are whole pixels wide.
+void Renderer::drawUvGround(const Frame& frame, const UvCamera& camera) {
+  const RenderSettings& settings = frame.settings;
+  const glm::dvec2 size(frame.eye.viewport);
+  const glm::vec3 ink = inkOn(settings.background);
+  const float line = std::max(1.0f, std::round(settings.pixelScale));
+  const glm::dvec2 low = camera.toUv({0, size.y}, size), high = camera.toUv({size.x, 0}, size);
+  const glm::vec2 corner = glm::round(glm::vec2(camera.toPixel({0, 1}, size)));
+  const glm::vec2 opposite = glm::round(glm::vec2(camera.toPixel({1, 0}, size)));
+  overlay_.clear();
+  if (!settings.background.transparent) {
+    overlay_.rectangle(corner, opposite - corner, glm::vec4(ink, 0.045f));
+  }
+  TextStyle text;
+  text.size = 0.85f * settings.textSize * settings.pixelScale;
+  text.color = glm::vec4(ink, 0.62f);
+  text.halo = glm::vec4(0);
+  const double step = gridStep(camera.pixelsPerUnit(size) / double{settings.pixelScale});
+  const float gap = 0.5f * text.size;
+  const float row = std::clamp(opposite.y + gap + 0.5f * text.size, text.size,
+                               static_cast<float>(size.y) - text.size);
+  const float column = std::clamp(corner.x - gap, 2.6f * text.size, static_cast<float>(size.x));
+  const auto wide = static_cast<float>(size.x), tall = static_cast<float>(size.y);
+  for (double i = std::ceil(low.x / step); i * step <= high.x; ++i) {
+    const auto x = static_cast<float>(std::round(camera.toPixel({i * step, 0}, size).x));
+    overlay_.rectangle({x, 0}, {line, tall}, glm::vec4(ink, 0.055f));
+    if (i > -0.5 && i * step < 1 + 1e-9) {
+      overlay_.text({x, row}, numberText(i * step), text, TextAlign::Center);
+    }
+  }
+  for (double i = std::ceil(low.y / step); i * step <= high.y; ++i) {
+    const auto y = static_cast<float>(std::round(camera.toPixel({0, i * step}, size).y));
+    overlay_.rectangle({0, y}, {wide, line}, glm::vec4(ink, 0.055f));
+    if (i > -0.5 && i * step < 1 + 1e-9) {
+      overlay_.text({column, y}, numberText(i * step), text, TextAlign::Right);
+    }
+  }
+  const glm::vec4 border(ink, 0.5f);
+  const glm::vec2 span = opposite - corner;
+  overlay_.rectangle(corner - line, {span.x + 2 * line, line}, border);
+  overlay_.rectangle({corner.x - line, opposite.y}, {span.x + 2 * line, line}, border);
+  overlay_.rectangle({corner.x - line, corner.y}, {line, span.y}, border);
+  overlay_.rectangle({opposite.x, corner.y}, {line, span.y}, border);
+  overlay_.draw(frame.eye.viewport, frame.eye.tile, units::kColorMap, 0);
+}
+
+void Renderer::drawUvOutline(const Frame& frame, const SegmentRange& range, float width) {
+  drawSegments(frame, range.count, glm::vec2(width + 1.8f), colors::kInk, 0, range.first);
+  drawSegments(frame, range.count, glm::vec2(width), kWhite, 0, range.first);
+}
+
+void Renderer::drawUvLines(const Frame& frame, const UvStyle& style) {
+  const RenderSettings& settings = frame.settings;
+  glBindVertexArray(emptyVertexArray_.id());
+  lineProgram_.use();
+  setEye(lineProgram_, frame.eye);
+  setScale(lineProgram_, ScalarRange{}, settings);
+  uv_->bindOutlines(units::kValues);
+  if (settings.seams && settings.hiddenCharts.empty()) {
+    drawUvOutline(frame, {0, uv_->outlineCount()}, style.outlineWidth);
+  }
+  // Charts that are pointed at or selected get a stronger border.
+  const Index hovered = hoveredChart(settings);
+  for (Index island = 0; island < uv_->layout().firstTriangle.size(); ++island) {
+    const Index chart = charts_->chartOf(uv_->layout().firstTriangle[island]);
+    const bool strong =
+        chart != kNone && (chart == hovered || contains(settings.selectedCharts, chart));
+    const bool hidden = contains(settings.hiddenCharts, chart);
+    if (hidden || (!strong && (settings.hiddenCharts.empty() || !settings.seams))) continue;
+    drawUvOutline(frame, uv_->outlineOf(island), style.outlineWidth + (strong ? 1.0f : 0.0f));
+  }
+  if (!settings.cuts || !settings.hiddenCharts.empty()) return;
+  uv_->bindCuts(units::kValues);
+  drawSegments(frame, uv_->cutCount(), glm::vec2(style.outlineWidth + 2.2f), colors::kInk);
+  drawSegments(frame, uv_->cutCount(), glm::vec2(style.outlineWidth + 0.6f), colors::kCut,
+               frame.dash);
+}
+
+void Renderer::addUvNumbers(const Frame& frame, const UvCamera& camera) {
+  const RenderSettings& settings = frame.settings;
+  const glm::dvec2 size(frame.eye.viewport);
+  const auto unit = static_cast<float>(camera.pixelsPerUnit(size));
+  const float largest = 1.15f * settings.textSize * settings.pixelScale;
+  TextStyle style;
+  style.color = glm::vec4(1);
+  style.halo = glm::vec4(0.04f, 0.04f, 0.05f, 0.9f);
+  for (const ChartLabel& label : uvLabels()) {
+    // Numbers of small charts are smaller, down to what can be read.
+    style.size = std::min(largest, 1.5f * label.room * unit);
+    if (style.size < 0.6f * largest || contains(settings.hiddenCharts, label.chart)) continue;
+    overlay_.text(glm::vec2(camera.toPixel(label.place, size)), std::to_string(label.chart), style,
+                  TextAlign::Center);
+  }
+}
+
+}  // namespace chartflood
