@@ -25,13 +25,8 @@ struct Group {
 std::vector<Group> groupsOf(const std::string& svg) {
   std::vector<Group> groups;
   const std::regex pattern(
-      "<g id=\"(chart_[0-9]+)\" fill=\"([^\"]*)\">
-<path [^>]* ?d=\"([^\"]*)\"/>
-"
-      "(?:<text [^>]*font-size=\"([^\"]*)\" x=\"([^\"]*)\" y=\"([^\"]*)\">([0-9]+)</text>
-)?"
-      "</g>
-");
+      R"re(<g id="(chart_[0-9]+)" fill="([^"]*)">\n<path [^>]* ?d="([^"]*)"/>\n)re"
+      R"re((?:<text [^>]*font-size="([^"]*)" x="([^"]*)" y="([^"]*)">([0-9]+)</text>\n)?</g>\n)re");
   for (std::sregex_iterator at(svg.begin(), svg.end(), pattern), end; at != end; ++at) {
     Group group{(*at)[1], (*at)[2], (*at)[3], (*at)[7]};
     if ((*at)[7].matched) {
