@@ -11,8 +11,8 @@ namespace chartflood {
 
 struct UvSvgOptions {
   int size = 0;  ///< side of the square in pixels; 0: the atlas's texture size, or 1024 without one
-  std::span<const std::uint32_t> colors;  ///< of each chart, 0xRRGGBB; missing ones are grey
-  double lineWidth = 1.5;                 ///< pixels
+  std::span<const std::uint32_t> colors{};  ///< of each chart, 0xRRGGBB; missing ones are grey
+  double lineWidth = 1.5;                   ///< pixels
   bool fill = true;
   bool numbers = true;
   bool transparent = false;  ///< without the white background

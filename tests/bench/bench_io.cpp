@@ -1,21 +1,30 @@
-/// How fast the readers are, in bytes of the file per second, on a sample of a million triangles.
+/// How fast readers and writers are, in bytes of the file per second, on a sample of a million
+/// triangles.
 
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
+#include "core/charts/chart_surface.h"
 #include "core/io/read_mesh.h"
 #include "core/io/read_obj.h"
 #include "core/io/read_off.h"
 #include "core/io/read_ply.h"
 #include "core/io/read_stl.h"
 #include "core/io/samples.h"
+#include "core/io/write_mesh.h"
+#include "core/io/write_seams.h"
+#include "core/io/write_uv_svg.h"
+#include "core/model/build_mesh.h"
 
 namespace chartflood {
 namespace {
@@ -130,6 +139,61 @@ void readPlyFile(benchmark::State& state) {
   std::filesystem::remove(file);
 }
 
+/// The sample in 100 charts of equally many faces in a row, with any texture coordinates.
+struct ChartedSample {
+  std::shared_ptr<const Mesh> mesh = buildMesh(makeSample("torus", 1'000'000));
+  std::vector<Index> label;
+  ChartSet charts;
+  Atlas atlas;
+
+  ChartedSample() {
+    for (std::size_t f = 0; f < mesh->faceCount(); ++f) {
+      label.push_back(static_cast<Index>(100 * f / mesh->faceCount()));
+    }
+    for (ChartSurface& surface : extractCharts(*mesh, label, 100)) {
+      std::vector<glm::dvec2>& uv = atlas.uv.emplace_back();
+      for (const glm::dvec3& p : surface.positions) {
+        uv.emplace_back(glm::dvec2(p.x + 0.1 * p.z, p.y) + 0.5);
+      }
+      charts.charts.emplace_back().surface = std::move(surface);
+    }
+  }
+  ChartedMesh view() const { return {*mesh, label, charts, atlas}; }
+};
+
+template <class Write>
+void measureWriter(benchmark::State& state, const Write& write) {
+  static const ChartedSample sample;
+  std::size_t size = 0;
+  for (auto _ : state) {
+    const std::string bytes = write(sample.view());
+    size = bytes.size();
+    benchmark::DoNotOptimize(bytes.data());
+  }
+  const auto rounds = static_cast<std::int64_t>(state.iterations());
+  state.SetBytesProcessed(rounds * static_cast<std::int64_t>(size));
+  state.SetItemsProcessed(rounds * static_cast<std::int64_t>(sample.mesh->faceCount()));
+}
+
+void writeObj(benchmark::State& state) {
+  measureWriter(state, [](const ChartedMesh& m) { return objText(m); });
+}
+void writePlySplit(benchmark::State& state) {
+  measureWriter(state, [](const ChartedMesh& m) { return plyBytes(m); });
+}
+void writePlyAsInput(benchmark::State& state) {
+  measureWriter(state, [](const ChartedMesh& m) { return plyBytes(m, {PlyVertices::AsInput}); });
+}
+void writeGlb(benchmark::State& state) {
+  measureWriter(state, [](const ChartedMesh& m) { return glbBytes(m); });
+}
+void writeSeams(benchmark::State& state) {
+  measureWriter(state, [](const ChartedMesh& m) { return seamsText(m); });
+}
+void writeUvSvg(benchmark::State& state) {
+  measureWriter(state, [](const ChartedMesh& m) { return uvSvgText(m); });
+}
+
 BENCHMARK(readObjWithSixDigits)->Unit(benchmark::kMillisecond);
 BENCHMARK(readObjWithSeventeenDigits)->Unit(benchmark::kMillisecond);
 BENCHMARK(readOffText)->Unit(benchmark::kMillisecond);
@@ -137,6 +201,12 @@ BENCHMARK(readPlyText)->Unit(benchmark::kMillisecond);
 BENCHMARK(readPlyBinary)->Unit(benchmark::kMillisecond);
 BENCHMARK(readStlBinary)->Unit(benchmark::kMillisecond);
 BENCHMARK(readPlyFile)->Unit(benchmark::kMillisecond);
+BENCHMARK(writeObj)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(writePlySplit)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(writePlyAsInput)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(writeGlb)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(writeSeams)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(writeUvSvg)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace chartflood
