@@ -121,6 +121,7 @@ void readOverlays(const Tokens& tokens, RenderSettings& settings) {
 void readPicture(const Tokens& tokens, PictureOptions& picture) {
   readColors(tokens, picture.settings);
   readBackground(tokens, picture.settings);
+  picture.backgroundGiven = tokens.has("background");
   readOverlays(tokens, picture.settings);
   if (tokens.has("resolution")) {
     std::tie(picture.width, picture.height) =

@@ -32,6 +32,7 @@ struct CameraOptions {
 struct PictureOptions {
   enum class View { Model, Uv, Both };
   View view = View::Model;
+  bool backgroundGiven = false;  ///< --background was written
   RenderSettings settings;
   int width = 1280, height = 960;  ///< pixels
   int supersampling = 2;           ///< samples a pixel in each direction

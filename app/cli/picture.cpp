@@ -82,6 +82,8 @@ Image drawTexture(const Results& results, const PictureOptions& options,
                          .supersampling = options.supersampling};
   RenderSettings settings = options.settings;
   settings.scalarBar = false;
+  // A layout lies over a texture unless a ground is asked for.
+  if (!options.backgroundGiven) settings.background.transparent = true;
   settings.pixelScale = pixelScale(size.width, size.height);
   return renderUvImage(renderer, UvCamera::exact(), settings, {.frame = false}, size);
 }

@@ -1,5 +1,6 @@
 #include "app/gui/picture_taker.h"
 
+#include <algorithm>
 #include <chrono>
 #include <system_error>
 #include <utility>
@@ -23,6 +24,18 @@ void strip(RenderSettings& settings) {
   settings.selectedCharts.clear();
 }
 
+/// The charts in the texture, pixel by pixel as a texture image has them.
+Image drawTexture(const AppState& state, SceneView& scene) {
+  RenderSettings settings = sceneSettings(state, 1);
+  strip(settings);
+  settings.numbers = state.view.render.numbers;
+  settings.hoverFace = kNone;
+  const int side = state.results().atlas->textureSize;
+  settings.pixelScale = std::max(0.5f, static_cast<float>(side) / 1024);
+  return renderUvImage(scene.renderer(), UvCamera::exact(), settings, {.frame = false},
+                       {.width = side, .height = side, .supersampling = 2});
+}
+
 std::filesystem::path targetOf(const PictureRequest& request, const std::string& model,
                                const std::string& mode) {
   if (!request.file.empty()) return request.file;
@@ -43,16 +56,23 @@ PictureTaker::~PictureTaker() {
 
 void PictureTaker::take(const AppState& state, SceneView& scene, const PictureRequest& request,
                         float pixelScale) {
+  if (request.texture) {
+    if (state.results().flat) write(state, request, drawTexture(state, scene));
+    return;
+  }
   RenderSettings settings = sceneSettings(state, pixelScale * static_cast<float>(request.scale));
   settings.hoverFace = kNone;
   if (request.bare) strip(settings);
   PictureSize size;
   size.width = scene.width() * request.scale;
   size.height = scene.height() * request.scale;
-  Image image = renderImage(scene.renderer(), state.view.camera, settings, size);
+  write(state, request, renderImage(scene.renderer(), state.view.camera, settings, size));
+}
+
+void PictureTaker::write(const AppState& state, const PictureRequest& request, Image image) {
   ImageTexts texts = {{"Software", "chartflood " CHARTFLOOD_VERSION},
                       {"Description", commandLine(state)}};
-  const std::string model = state.modelName(), mode = colorModeInfo(settings.colorMode).id;
+  const std::string model = state.modelName(), mode = colorModeInfo(state.view.render.colorMode).id;
   writing_ =
       std::async(std::launch::async, [=, image = std::move(image), wake = wake_]() -> Outcome {
         Outcome outcome;

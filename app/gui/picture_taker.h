@@ -32,6 +32,8 @@ class PictureTaker {
 
   void take(const AppState& state, SceneView& scene, const PictureRequest& request,
             float pixelScale);
+  /// Has the picture written by another thread.
+  void write(const AppState& state, const PictureRequest& request, Image image);
   void report(AppState& state);
 
   std::function<void()> wake_;

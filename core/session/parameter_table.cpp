@@ -257,7 +257,7 @@ std::vector<ParameterInfo> unwrapRows() {
        .sliderMin = 256,
        .sliderMax = 8192,
        .hardMin = 16,
-       .hardMax = 65536,
+       .hardMax = 16384,
        .scale = SliderScale::Log,
        .unit = "px",
        .format = "%.0f",
