@@ -8,6 +8,7 @@
 
 #include "app/gui/scene_view.h"
 #include "app/host/app_state.h"
+#include "render/image.h"
 
 namespace chartflood {
 
