@@ -13,11 +13,14 @@
 
 #include "core/base/index.h"
 #include "core/base/progress.h"
+#include "core/model/atlas.h"
+#include "core/model/chart_set.h"
 #include "core/model/chart_stats.h"
 #include "core/model/flood_record.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "core/model/segmentation.h"
+#include "core/model/unwrap.h"
 #include "core/segment/segmenter.h"
 #include "core/session/parameters.h"
 
@@ -45,6 +48,10 @@ struct Results {
   std::shared_ptr<const GaussArea> gaussArea;
   std::shared_ptr<const Segmentation> segmentation;  ///< at the end of the last step
   std::shared_ptr<const ChartStats> chartStats;      ///< of `segmentation`
+  /// The charts with their cuts, laid flat, and placed in one texture; null before an unwrap.
+  std::shared_ptr<const ChartSet> charts;
+  std::shared_ptr<const Unwrap> unwrap;
+  std::shared_ptr<const Atlas> atlas;
   /// The flood under way or last done; grows while the worker floods.
   std::shared_ptr<const FloodRecord> record;
   std::size_t recordIteration = 0;  ///< round that `record` belongs to
