@@ -111,8 +111,9 @@ void Frame::drawLeft(const Ui& ui, const Layout& layout) {
   endFixed();
 }
 
-void Frame::drawRight(const Ui& ui, const Layout& layout) {
-  if (!state_.panels.right) return;
+void Frame::drawRight(const Ui& ui, const Layout& layout, UvSource* uvSource) {
+  state_.panels.uvUnderMouse = false;
+  if (!state_.panels.right) return leaveUv(ui, uvMouse_);
   beginFixed("right", {layout.right, layout.tool},
              {layout.screen.x - layout.right, layout.bottom - layout.tool}, theme_.palette.panel,
              {theme_.px(10), theme_.px(8)});
@@ -128,6 +129,13 @@ void Frame::drawRight(const Ui& ui, const Layout& layout) {
       content(ui);
       ImGui::EndTabItem();
     };
+    bool uvShown = false;
+    tab("UV", PanelState::RightTab::Uv, [&](const Ui& inside) {
+      uvShown = true;
+      const double moved = ImGui::GetTime() - mouse_.movedAt;
+      uvPanel(inside, uvSource, uvMouse_, moved < kSettleSeconds);
+    });
+    if (!uvShown) leaveUv(ui, uvMouse_);
     tab("Charts", PanelState::RightTab::Charts, chartTable);
     tab("Balance", PanelState::RightTab::Balance, balancePlot);
     panels.selectRightTab = false;
@@ -162,7 +170,7 @@ void Frame::drawSplitters(const Ui& ui, const Layout& layout) {
   }
 }
 
-void Frame::draw(SceneSource* source) {
+void Frame::draw(SceneSource* source, UvSource* uvSource) {
   probe_.beginFrame();
   memory_.wakeIn = kNever;
   memory_.hoveredSeen = false;
@@ -171,7 +179,7 @@ void Frame::draw(SceneSource* source) {
   drawScene(ui, layout, source);
   drawBars(ui, layout);
   drawLeft(ui, layout);
-  drawRight(ui, layout);
+  drawRight(ui, layout, uvSource);
   drawSplitters(ui, layout);
   keysWindow(ui);
   logWindow(ui);

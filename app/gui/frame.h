@@ -4,6 +4,7 @@
 
 #include "app/gui/file_browser.h"
 #include "app/gui/panels/scene_panel.h"
+#include "app/gui/panels/uv_panel.h"
 #include "app/gui/probe.h"
 #include "app/gui/theme.h"
 #include "app/gui/ui.h"
@@ -21,8 +22,8 @@ class Frame {
   void setScale(float scale);
   float scale() const { return theme_.scale; }
 
-  /// Submits everything between ImGui::NewFrame and ImGui::Render. `source` may be null.
-  void draw(SceneSource* source);
+  /// Submits everything between ImGui::NewFrame and ImGui::Render. The sources may be null.
+  void draw(SceneSource* source, UvSource* uvSource = nullptr);
   /// Runs what a key is bound to, unless a text field or a widget owns the keyboard. Returns
   /// whether it acted.
   bool key(const Chord& chord, bool repeated);
@@ -41,7 +42,7 @@ class Frame {
   Layout layOut();
   void drawBars(const Ui& ui, const Layout& layout);
   void drawLeft(const Ui& ui, const Layout& layout);
-  void drawRight(const Ui& ui, const Layout& layout);
+  void drawRight(const Ui& ui, const Layout& layout, UvSource* uvSource);
   void drawScene(const Ui& ui, const Layout& layout, SceneSource* source);
   void drawSplitters(const Ui& ui, const Layout& layout);
 
@@ -51,6 +52,7 @@ class Frame {
   Probe probe_;
   UiMemory memory_;
   SceneMouse mouse_;
+  UvMouse uvMouse_;
   FileBrowser browser_;
   bool laidOut_ = false;
 };

@@ -8,6 +8,7 @@
 
 #include "app/gui/imgui_gl.h"
 #include "core/gauss/sector_normals.h"
+#include "render/corner_uv.h"
 
 namespace chartflood {
 
@@ -39,6 +40,12 @@ RenderSettings sceneSettings(const AppState& state, float pixelScale) {
   settings.hoverFace = state.hoveredFace;
   settings.selectedCharts.clear();
   if (state.selectedChart != kNone) settings.selectedCharts.push_back(state.selectedChart);
+  if (state.view.isolate && state.selectedChart != kNone && state.results().segmentation) {
+    const std::size_t count = state.results().segmentation->chartCount;
+    for (Index chart = 0; chart < count; ++chart) {
+      if (chart != state.selectedChart) settings.hiddenCharts.push_back(chart);
+    }
+  }
   return settings;
 }
 
@@ -51,6 +58,9 @@ void SceneView::takeMesh(const Results& results) {
   segmentation_.reset();
   record_.reset();
   seeds_.clear();
+  chartSet_.reset();
+  atlas_.reset();
+  unwrap_.reset();
   ++content_;
 }
 
@@ -103,6 +113,49 @@ void SceneView::takeFlood(const Results& results) {
   }
 }
 
+void SceneView::takeUnwrap(const Results& results) {
+  if (isReady(flat_)) {
+    Flat flat = flat_.get();
+    if (flat.mesh == mesh_ && atlas_) {
+      renderer_.setCuts(flat.cuts);
+      renderer_.setUvLayout(std::move(flat.layout));
+      ++content_;
+    }
+  }
+  if ((results.atlas == atlas_ && results.charts == chartSet_) || flat_.valid()) return;
+  atlas_ = results.atlas;
+  chartSet_ = results.charts;
+  if (!atlas_ || !chartSet_) {
+    atlas_.reset();
+    renderer_.setCuts(chartSet_ ? cutSides(*chartSet_) : std::vector<Index>{});
+    renderer_.setCornerUv({});
+    ++content_;
+    return;
+  }
+  flat_ = std::async(
+      std::launch::async, [mesh = mesh_, charts = chartSet_, atlas = atlas_, wake = wake_] {
+        Flat flat{mesh, uvLayout(*mesh, cornerUv(*mesh, *charts, *atlas)), cutSides(*charts)};
+        wake();
+        return flat;
+      });
+}
+
+void SceneView::takeDistortion(const Results& results) {
+  if (results.unwrap == unwrap_) return;
+  unwrap_ = results.unwrap;
+  const auto show = [&](ColorMode mode, std::span<const float> values) {
+    // A part that does not fit the mesh is none.
+    const bool fits = values.size() == mesh_->triangleCount();
+    renderer_.setTriangleValues(mode, fits ? values : std::span<const float>{});
+  };
+  static const Unwrap none;
+  const Unwrap& unwrap = unwrap_ ? *unwrap_ : none;
+  show(ColorMode::Stretch, unwrap.stretch);
+  show(ColorMode::AreaDistortion, unwrap.area);
+  show(ColorMode::AngleDistortion, unwrap.angle);
+  ++content_;
+}
+
 void SceneView::takeIn(const AppState& state) {
   const Results& results = state.results();
   takeMesh(results);
@@ -114,6 +167,8 @@ void SceneView::takeIn(const AppState& state) {
     ++content_;
   }
   takeFlood(results);
+  takeUnwrap(results);
+  takeDistortion(results);
 }
 
 int SceneView::samplesFor(bool moving) const {

@@ -53,6 +53,8 @@ class SceneView : public SceneSource {
   bool goOn();
 
   Renderer& renderer() { return renderer_; }
+  /// Grows with everything that the renderer was given.
+  std::uint64_t content() const { return content_; }
   /// Size of the last picture.
   int width() const { return width_; }
   int height() const { return height_; }
@@ -72,6 +74,8 @@ class SceneView : public SceneSource {
   void takeMesh(const Results& results);
   void takeDerived(const Results& results);
   void takeFlood(const Results& results);
+  void takeUnwrap(const Results& results);
+  void takeDistortion(const Results& results);
   int samplesFor(bool moving) const;
   void begin(const Shown& wanted);
 
@@ -100,6 +104,17 @@ class SceneView : public SceneSource {
   };
   std::future<Derived> derived_;
   std::shared_ptr<const GaussArea> derivedFrom_;  ///< of the last one asked for
+
+  /// Texture places and cuts, worked out by a thread of its own.
+  struct Flat {
+    std::shared_ptr<const Mesh> mesh;
+    UvLayout layout;
+    std::vector<Index> cuts;
+  };
+  std::future<Flat> flat_;
+  std::shared_ptr<const ChartSet> chartSet_;  ///< of the last one asked for
+  std::shared_ptr<const Atlas> atlas_;
+  std::shared_ptr<const Unwrap> unwrap_;  ///< whose values are shown
 
   std::shared_ptr<const Mesh> warmedFor_;  ///< whose shaders are translated
 

@@ -17,6 +17,7 @@
 #include "app/gui/key_names.h"
 #include "app/gui/picture_taker.h"
 #include "app/gui/scene_view.h"
+#include "app/gui/uv_view.h"
 #include "app/host/command.h"
 #include "core/base/error.h"
 
@@ -220,7 +221,7 @@ class Window::Parts {
     }
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    frame_.draw(&scene_);
+    frame_.draw(&scene_, &uv_);
     ImGui::Render();
     present();
     deadline_ = now() + frame_.wakeIn();
@@ -291,6 +292,7 @@ class Window::Parts {
   Frame frame_;
   ImguiGl drawer_;
   SceneView scene_;
+  UvView uv_{scene_};
   PictureTaker pictures_;
   std::ofstream frameLog_;
   WindowedPlace windowed_;

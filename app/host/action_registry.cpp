@@ -80,6 +80,7 @@ ActionRegistry makeActionRegistry() {
   addEditActions(registry);
   addSegmentActions(registry);
   addViewActions(registry);
+  addChartActions(registry);
   addExportActions(registry);
   return registry;
 }

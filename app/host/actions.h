@@ -13,6 +13,8 @@ void addEditActions(ActionRegistry& registry);
 void addSegmentActions(ActionRegistry& registry);
 /// Colours, overlays, camera, panels.
 void addViewActions(ActionRegistry& registry);
+/// Selecting charts, looking at one alone, their texture and its checkerboard.
+void addChartActions(ActionRegistry& registry);
 /// Pictures and files made from the results.
 void addExportActions(ActionRegistry& registry);
 

@@ -7,6 +7,7 @@
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
+#include "app/host/switch_action.h"
 #include "core/base/error.h"
 #include "render/color_map.h"
 
@@ -26,25 +27,6 @@ std::vector<std::string> colorMapIds() {
   return ids;
 }
 
-/// An action that turns something on, off, or over.
-template <typename Place>
-void addSwitch(ActionRegistry& registry, const char* id, const char* title, const char* help,
-               const char* key, Place place) {
-  registry.add(
-      {.id = id,
-       .title = title,
-       .help = help,
-       .arguments = {{"on", ArgumentType::Switch, "left out: turns it over", false}},
-       .refusal = {},
-       .run =
-           [place](AppState& state, const Arguments& a) {
-             bool& value = place(state);
-             value = a.flag("on", !value);
-           },
-       .checked = [place](const AppState& state, const Arguments&) { return place(state); }});
-  if (*key != '\0') registry.bind(key, id);
-}
-
 void addOverlays(ActionRegistry& registry) {
   auto overlay = [&](const char* id, const char* title, const char* help, const char* key,
                      bool RenderSettings::*member) {
@@ -53,6 +35,8 @@ void addOverlays(ActionRegistry& registry) {
         key, [member](auto& state) -> auto& { return state.view.render.*member; });
   };
   overlay("seams", "Seams", "Lines between charts.", "S", &RenderSettings::seams);
+  overlay("cuts", "Cuts", "Lines along which charts are opened so that they can lie flat.", "C",
+          &RenderSettings::cuts);
   overlay("edges", "Mesh edges", "The edges of all triangles.", "E", &RenderSettings::edges);
   overlay("sharp-edges", "Sharp edges", "Edges folded more than the sharp edge angle.", "K",
           &RenderSettings::sharpEdges);
@@ -64,6 +48,11 @@ void addOverlays(ActionRegistry& registry) {
           &RenderSettings::smoothNormals);
   overlay("invert-colors", "Invert the colour map", "Swaps the ends of the colour map.", "",
           &RenderSettings::invertColorMap);
+}
+
+void nextCheckerKind(AppState& state) {
+  CheckerKind& kind = state.view.render.checkerKind;
+  kind = static_cast<CheckerKind>((static_cast<int>(kind) + 1) % 3);
 }
 
 void addColors(ActionRegistry& registry) {
@@ -85,18 +74,26 @@ void addColors(ActionRegistry& registry) {
   registry.bind("3", "color-mode gauss");
   registry.bind("4", "color-mode balance");
   registry.bind("5", "color-mode flood-time");
+  registry.bind("6", "color-mode stretch");
+  registry.bind("7", "color-mode area-distortion");
+  registry.bind("8", "color-mode angle-distortion");
+  registry.bind("9", "color-mode checkerboard");
   registry.add({.id = "next-sub-mode",
                 .title = "Next of its kind",
                 .help = "Goes round the modes of one kind: Gauss area of all, corners, edges, "
-                        "triangles; flood time, order.",
+                        "triangles; flood time, order; squares, numbers, circles.",
                 .arguments = {},
                 .refusal = [](const AppState& state) -> std::string {
-                  const bool single = colorModeFamily(state.view.render.colorMode).size() < 2;
-                  return single ? "This colour mode has no others of its kind." : "";
+                  const ColorMode mode = state.view.render.colorMode;
+                  const bool single = colorModeFamily(mode).size() < 2;
+                  return single && mode != ColorMode::Checkerboard
+                             ? "This colour mode has no others of its kind."
+                             : "";
                 },
                 .run =
                     [](AppState& state, const Arguments&) {
                       ColorMode& mode = state.view.render.colorMode;
+                      if (mode == ColorMode::Checkerboard) return nextCheckerKind(state);
                       const auto family = colorModeFamily(mode);
                       const auto at = std::find(family.begin(), family.end(), mode) + 1;
                       mode = at == family.end() ? family.front() : *at;
@@ -117,57 +114,21 @@ void addColors(ActionRegistry& registry) {
                       const std::string& map = state.view.render.colorMap;
                       return (map.empty() ? "auto" : map) == a.text("name");
                     }});
-  registry.add({.id = "select-chart",
-                .title = "Select a chart",
-                .help = "Marks a chart; left out: none.",
-                .arguments = {{"chart", ArgumentType::Integer, "its number", false}},
-                .refusal = {},
-                .run = [](AppState& state, const Arguments& a) {
-                  const long chart = a.integer("chart", -1);
-                  const Index wanted = chart < 0 ? kNone : static_cast<Index>(chart);
-                  state.selectedChart = wanted == state.selectedChart ? kNone : wanted;
-                }});
-}
-
-/// The chart before or after the selected one, going round.
-void selectNeighbour(AppState& state, int step) {
-  const auto& stats = state.results().chartStats;
-  const auto count = stats ? static_cast<long>(stats->charts.size()) : 0L;
-  if (count == 0) return;
-  const long start = step > 0 ? -1 : 0;
-  const long now = state.selectedChart == kNone ? start : static_cast<long>(state.selectedChart);
-  state.selectedChart = static_cast<Index>((now + step + count) % count);
-}
-
-void addSelection(ActionRegistry& registry) {
-  auto refusal = [](const AppState& state) -> std::string {
-    const auto& stats = state.results().chartStats;
-    return stats && !stats->charts.empty() ? "" : "There are no charts yet.";
-  };
-  registry.add({.id = "previous-chart",
-                .title = "Previous chart",
-                .help = "Selects the chart before.",
-                .arguments = {},
-                .refusal = refusal,
-                .run = [](AppState& state, const Arguments&) { selectNeighbour(state, -1); }});
-  registry.bind("[", "previous-chart");
-  registry.add({.id = "next-chart",
-                .title = "Next chart",
-                .help = "Selects the chart after.",
-                .arguments = {},
-                .refusal = refusal,
-                .run = [](AppState& state, const Arguments&) { selectNeighbour(state, 1); }});
-  registry.bind("]", "next-chart");
 }
 
 void addCamera(ActionRegistry& registry) {
   registry.add(
       {.id = "frame-all",
        .title = "Frame all",
-       .help = "Moves the camera until the whole model fills the view.",
+       .help = "Shows the whole model; with the mouse on the texture, the whole texture.",
        .arguments = {},
        .refusal = {},
-       .run = [](AppState& state, const Arguments&) { state.view.frameWhenLoaded = true; }});
+       .run = [](AppState& state, const Arguments&) {
+         if (state.panels.uvUnderMouse)
+           state.view.uvCamera = {};
+         else
+           state.view.frameWhenLoaded = true;
+       }});
   registry.bind("A", "frame-all");
   registry.bind("F", "frame-all");
   registry.add({.id = "view",
@@ -242,7 +203,7 @@ void addPanels(ActionRegistry& registry) {
         registry, id, title, help,
         key, [member](auto& state) -> auto& { return state.panels.*member; });
   };
-  panel("right-pane", "Charts and balance", "Shows or hides the right pane.", "U",
+  panel("right-pane", "Texture, charts, balance", "Shows or hides the right pane.", "U",
         &PanelState::right);
   panel("left-pane", "Parameters", "Shows or hides the left pane.", "", &PanelState::left);
   panel("keys", "Keys", "Lists all keys.", "H", &PanelState::keys);
@@ -286,12 +247,14 @@ void addPanels(ActionRegistry& registry) {
       {.id = "right-tab",
        .title = "Tab of the right pane",
        .help = "Brings a tab of the right pane to the front.",
-       .arguments = {{"tab", ArgumentType::Choice, "which one", true, {"charts", "balance"}}},
+       .arguments = {{"tab", ArgumentType::Choice, "which one", true, {"uv", "charts", "balance"}}},
        .refusal = {},
        .run = [](AppState& state, const Arguments& a) {
+         const std::string tab = a.text("tab");
          state.panels.right = true;
-         state.panels.rightTab = a.text("tab") == "balance" ? PanelState::RightTab::Balance
-                                                            : PanelState::RightTab::Charts;
+         state.panels.rightTab = tab == "balance"  ? PanelState::RightTab::Balance
+                                 : tab == "charts" ? PanelState::RightTab::Charts
+                                                   : PanelState::RightTab::Uv;
          state.panels.selectRightTab = true;
        }});
   registry.add(
@@ -332,7 +295,6 @@ void addPanels(ActionRegistry& registry) {
 
 void addViewActions(ActionRegistry& registry) {
   addColors(registry);
-  addSelection(registry);
   addOverlays(registry);
   addCamera(registry);
   addPanels(registry);

@@ -28,6 +28,8 @@ void AppState::update(double seconds) {
   if (results_->meshVersion != meshVersion_) {
     meshVersion_ = results_->meshVersion;
     hoveredFace = selectedChart = kNone;
+    view.uvCamera = {};
+    view.isolate = false;
     view.frameWhenLoaded = true;
     placeSeeds();
     if (std::exchange(playWhenOpened_, false)) playback.playOneFlood();

@@ -24,10 +24,11 @@ class ActionRegistry;
 
 /// Which parts of the window are open. Transient: neither saved nor undone.
 struct PanelState {
-  enum class RightTab { Charts, Balance };
+  enum class RightTab { Uv, Charts, Balance };
   bool left = true, right = true, bottom = true;
   bool rightWanted = true;  ///< the window is wide enough for the right pane at first
-  RightTab rightTab = RightTab::Charts;
+  RightTab rightTab = RightTab::Uv;
+  bool uvUnderMouse = false;  ///< actions of the view mean the texture
   bool selectRightTab = false;  ///< the tab was chosen by an action and must be brought to front
   enum class Browse { Nothing, Open, SaveMesh, SaveUv, SaveSeams, SaveLabels, SaveReport };
   Browse browse = Browse::Nothing;  ///< what the file browser is open for

@@ -7,9 +7,12 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::array kModes = {ColorMode::Shaded,      ColorMode::Charts,    ColorMode::Gauss,
-                               ColorMode::GaussVertex, ColorMode::GaussEdge, ColorMode::GaussFace,
-                               ColorMode::Balance,     ColorMode::FloodTime, ColorMode::FloodOrder};
+constexpr std::array kModes = {
+    ColorMode::Shaded,      ColorMode::Charts,         ColorMode::Gauss,
+    ColorMode::GaussVertex, ColorMode::GaussEdge,      ColorMode::GaussFace,
+    ColorMode::Balance,     ColorMode::FloodTime,      ColorMode::FloodOrder,
+    ColorMode::Stretch,     ColorMode::AreaDistortion, ColorMode::AngleDistortion,
+    ColorMode::Checkerboard};
 
 constexpr std::array kGauss = {ColorMode::Gauss, ColorMode::GaussVertex, ColorMode::GaussEdge,
                                ColorMode::GaussFace};

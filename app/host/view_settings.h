@@ -1,16 +1,20 @@
 #pragma once
-/// How the model is looked at: plain values, saved with a session, never undone.
+/// How the model and its texture are looked at: plain values, saved with a session, never undone.
 
 #include <span>
 
 #include "render/camera.h"
 #include "render/render_settings.h"
+#include "render/uv_camera.h"
 
 namespace chartflood {
 
 struct ViewSettings {
   RenderSettings render;
   Camera camera;
+  UvStyle uv;
+  UvCamera uvCamera;
+  bool isolate = false;  ///< only the selected chart is shown
   bool frameWhenLoaded = true;  ///< the camera has yet to be set up for a new model
 };
 

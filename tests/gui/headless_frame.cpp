@@ -35,7 +35,7 @@ void HeadlessFrame::frames(int count) {
   for (int i = 0; i < count; ++i) {
     state_.update(kFrameSeconds);
     ImGui::NewFrame();
-    frame_.draw(nullptr);
+    frame_.draw(sceneSource, uvSource);
     ImGui::Render();
   }
 }
@@ -92,6 +92,11 @@ void HeadlessFrame::drag(std::string_view label, float from, float to) {
     moveTo(at(from + (to - from) * static_cast<float>(i) / kDragSteps));
   }
   release();
+  frames(1);
+}
+
+void HeadlessFrame::wheel(float notches) {
+  ImGui::GetIO().MouseWheel = notches;
   frames(1);
 }
 

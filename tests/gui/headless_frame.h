@@ -36,12 +36,17 @@ class HeadlessFrame {
   void drag(std::string_view label, float from, float to);
   void type(const char* text);
   void enter();
+  void wheel(float notches);
   void key(const char* chord) { frame_.key(parseChord(chord), false); }
 
   AppState& state() { return state_; }
   const ActionRegistry& actions() const { return actions_; }
   Frame& frame() { return frame_; }
   std::string lastLine() const;
+
+  /// Where the pictures come from; null: none are drawn.
+  SceneSource* sceneSource = nullptr;
+  UvSource* uvSource = nullptr;
 
  private:
   struct Context {

@@ -131,6 +131,8 @@ TEST(Panels, ToolBarStepsAndPlays) {
 TEST(Panels, ChartTableSelectsAChart) {
   HeadlessFrame ui;
   ui.openFlooded("sphere", 500);
+  ui.click("tab/Charts");
+  ui.frames(2);
   ui.click("chart/3");
   EXPECT_EQ(ui.state().selectedChart, 3u);
   ui.key("]");

@@ -35,6 +35,7 @@ shows() { await grep -q "\"$1\"" "$folder/probe.json"; }
 
 "$program" --sample=sphere --triangles=2000 & pid=$!
 shows scrubber || fail "no window after 20 seconds"
+click "tab\/Charts" || fail "no tab"
 shows chart/19 || fail "the first flood was not played"
 click "tab\/Balance" || fail "no tab"
 shows plot/spread || fail "the tab did not open"

@@ -52,7 +52,8 @@ TEST_F(Shaders, EveryVariantOfTheSurfaceCompiles) {
         macros.insert(macros.end(), light.begin(), light.end());
         if (++count % 2 == 0) macros.push_back("STATES");
         if (count % 3 == 0) macros.push_back("WIRE");
-        if (count % 3 == 0 || fill == 6) macros.push_back("PLACES");
+        if (count % 5 == 0) macros.push_back("IN_TEXTURE");
+        if (fill == 6) macros.push_back("CHECKER " + std::to_string(count % 3));
         EXPECT_NO_THROW(gl::Program("surface.vert", "surface.frag", macros))
             << ::testing::PrintToString(macros);
       }

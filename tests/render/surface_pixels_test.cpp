@@ -237,6 +237,7 @@ TEST_F(SurfacePixels, CheckerboardShowsBothGreys) {
   EXPECT_TRUE(renderer_->canShow(ColorMode::Checkerboard));
   RenderSettings settings = flat(ColorMode::Checkerboard);
   settings.checkerSquares = 2;
+  settings.checkerInTexture = true;
   camera_.look(StandardView::Front);
   camera_.frame(mesh_->positions(), aspect());
   const Image image = draw(settings);

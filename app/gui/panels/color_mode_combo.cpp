@@ -33,7 +33,7 @@ void colorModeCombo(const Ui& ui, float width) {
   ui.probe.item("color-mode");
   if (!open) {
     tooltip(ui, "color-mode", "Colour",
-            "What the colours of the model say. Keys 1 to 5, Q cycles.");
+            "What the colours of the model say. Keys 1 to 9, Q cycles.");
     return;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), ui.px(4)));

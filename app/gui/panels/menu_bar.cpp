@@ -70,15 +70,35 @@ void editMenu(const Ui& ui) {
   ImGui::EndMenu();
 }
 
+void checkerMenu(const Ui& ui) {
+  if (!ImGui::BeginMenu("Checkerboard of")) return;
+  actionMenuItem(ui, "checker-kind squares", "Squares");
+  actionMenuItem(ui, "checker-kind numbers", "Numbered squares");
+  actionMenuItem(ui, "checker-kind circles", "Circles");
+  ImGui::Separator();
+  for (const char* squares : {"10", "20", "40", "80"}) {
+    actionMenuItem(ui, std::string("checker-size ") + squares, std::string(squares) + " squares");
+  }
+  ImGui::Separator();
+  actionMenuItem(ui, "checker-in-texture");
+  actionMenuItem(ui, "checker-tint");
+  ImGui::EndMenu();
+}
+
 void viewMenu(const Ui& ui) {
   if (!beginMenu(ui, "View")) return;
   colorModeMenu(ui);
   ImGui::Separator();
-  for (const char* overlay : {"seams", "edges", "sharp-edges", "seeds", "numbers", "color-bar"}) {
+  for (const char* overlay :
+       {"seams", "cuts", "edges", "sharp-edges", "seeds", "numbers", "color-bar"}) {
     actionMenuItem(ui, overlay);
   }
+  checkerMenu(ui);
+  ImGui::Separator();
+  for (const char* line : {"previous-chart", "next-chart", "isolate"}) actionMenuItem(ui, line);
   ImGui::Separator();
   actionMenuItem(ui, "frame-all");
+  actionMenuItem(ui, "frame-uv");
   if (ImGui::BeginMenu("Standard views")) {
     for (const char* view : {"oblique", "front", "back", "left", "right", "top", "bottom"}) {
       std::string title = view;
@@ -107,6 +127,9 @@ void viewMenu(const Ui& ui) {
     }
     ImGui::EndMenu();
   }
+  actionMenuItem(ui, "uv-fill");
+  actionMenuItem(ui, "uv-frame");
+  ImGui::Separator();
   actionMenuItem(ui, "right-pane");
   actionMenuItem(ui, "hide-panels");
   actionMenuItem(ui, "full-screen");

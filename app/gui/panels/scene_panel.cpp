@@ -12,9 +12,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kSettleSeconds = 0.2;  // after the last movement the picture is drawn smoothly
-constexpr double kQuickPick = 0.02;     // slower picks wait for a resting mouse
-constexpr float kClickTravel = 4;       // a press that moves less is a click
+constexpr double kQuickPick = 0.02;  // slower picks wait for a resting mouse
 
 Pick pickAt(SceneSource* source, const ViewRectangle& view, ImVec2 place) {
   if (source == nullptr) return {};
@@ -88,10 +86,13 @@ void useMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
     mouse.button = -1;
   }
   if (!ImGui::IsItemHovered()) {
-    ui.state.hoveredFace = kNone;
+    // Once, when the mouse leaves: the texture may be what is pointed at.
+    if (mouse.hovering) ui.state.hoveredFace = kNone;
+    mouse.hovering = false;
     mouse.pickedAt = {-1, -1};
     return;
   }
+  mouse.hovering = true;
   if (io.MouseDoubleClicked[0]) {
     if (const Pick pick = pickAt(source, view, io.MousePos); pick.hit()) {
       ui.state.view.camera.target = pick.point;
@@ -158,6 +159,21 @@ void drawHint(const Ui& ui, const ViewRectangle& view) {
   ImGui::PopFont();
 }
 
+/// What is missing before the colours can say what they shall.
+void drawMissing(const Ui& ui, const ViewRectangle& view) {
+  const ColorMode mode = ui.state.view.render.colorMode;
+  if (!needsUnwrap(mode) || ui.state.results().atlas) return;
+  const std::string text =
+      std::string(colorModeInfo(mode).label) + " can be seen when the charts are laid flat";
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at{std::round((view.min.x + view.max.x - size.x) / 2), view.min.y + ui.px(16)};
+  const ImVec2 pad{ui.px(10), ui.px(5)};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},
+                     ui.theme.palette.bar, ui.px(4));
+  list.AddText(at, ui.theme.palette.text, text.c_str());
+}
+
 void drawInvitation(const Ui& ui, const ViewRectangle& view) {
   const char* text =
       ui.state.status().busy ? "Reading\u2026" : "Drop a model here, or press Ctrl+O";
@@ -192,6 +208,7 @@ void scenePanel(const Ui& ui, SceneSource* source, SceneMouse& mouse) {
   }
   if (!ui.state.hasMesh()) return drawInvitation(ui, view);
   drawAxes(ui, view);
+  drawMissing(ui, view);
   if (!ui.state.panels.firstCard) drawHint(ui, view);
 }
 

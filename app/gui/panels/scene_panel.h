@@ -12,12 +12,18 @@ struct SceneMouse {
   float travelled = 0;   ///< pixels since then
   double movedAt = -10;  ///< time of the last movement of the camera, ImGui::GetTime()
   ImVec2 pickedAt{-1, -1};
+  bool hovering = false;    ///< the mouse was over the view in the last frame
   double restingSince = 0;  ///< time of the last movement of the mouse, ImGui::GetTime()
   /// The whole model was framed and the camera not moved since: it stays whole when the view
   /// changes its size.
   bool framed = false;
   double framedAspect = 0;
 };
+
+/// So long after the last movement the pictures are drawn smoothly.
+inline constexpr double kSettleSeconds = 0.2;
+/// A press that moves less, in pixels, is a click.
+inline constexpr float kClickTravel = 4;
 
 /// Fills the present window. Without a source the ground is drawn alone.
 void scenePanel(const Ui& ui, SceneSource* source, SceneMouse& mouse);

@@ -1,10 +1,13 @@
-// Overlays, colour map and camera.
+// Overlays, colour map and camera; texture and checkerboard.
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "app/gui/panels/panels.h"
 #include "app/gui/widgets.h"
+#include "app/host/command.h"
 #include "render/color_map.h"
 
 namespace chartflood {
@@ -12,13 +15,11 @@ namespace chartflood {
 namespace {
 
 /// Switches in two columns.
-void overlaySwitches(const Ui& ui) {
-  static constexpr const char* kLines[] = {"seams",   "seeds",     "edges",  "sharp-edges",
-                                           "numbers", "color-bar", "smooth", "orthographic"};
+void switches(const Ui& ui, std::span<const char* const> lines) {
   const float half = ImGui::GetContentRegionAvail().x / 2;
   const float left = ImGui::GetCursorPosX();
   int column = 0;
-  for (const char* line : kLines) {
+  for (const char* line : lines) {
     if (column == 1) {
       ImGui::SameLine();
       ImGui::SetCursorPosX(left + half);
@@ -49,12 +50,74 @@ void colorMapRow(const Ui& ui) {
   ImGui::EndCombo();
 }
 
+/// The label of a row; the control follows in the right half.
+void rowLabel(const char* words) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(words);
+  ImGui::SameLine(std::round(ImGui::GetWindowContentRegionMax().x * 0.5f));
+}
+
+void checkerKindRow(const Ui& ui) {
+  struct Kind {
+    CheckerKind kind;
+    const char* words;
+  };
+  static constexpr Kind kKinds[] = {{CheckerKind::Squares, "Squares"},
+                                    {CheckerKind::Numbers, "Numbered"},
+                                    {CheckerKind::Circles, "Circles"}};
+  const CheckerKind present = ui.state.view.render.checkerKind;
+  rowLabel("Checkerboard");
+  ImGui::SetNextItemWidth(-1);
+  const bool open =
+      ImGui::BeginCombo("##checker-kind", kKinds[static_cast<std::size_t>(present)].words);
+  ui.probe.item("checker-kind");
+  if (!open) return tooltip(ui, "checker-kind", "", ui.actions.find("checker-kind")->help);
+  for (const Kind& each : kKinds) {
+    const std::string line = std::string("checker-kind ") + checkerKindId(each.kind);
+    if (ImGui::Selectable(each.words, each.kind == present)) ui.run(line);
+    ui.probe.item(line);
+  }
+  ImGui::EndCombo();
+}
+
+void checkerSizeRow(const Ui& ui) {
+  constexpr double kFewest = 4, kMost = 256;  // of the slider; more can be typed
+  const RenderSettings& settings = ui.state.view.render;
+  const double squares = double{settings.checkerSquares};
+  BarSlider slider;
+  slider.label = "checker-size";
+  slider.fraction = std::clamp(std::log(squares / kFewest) / std::log(kMost / kFewest), 0.0, 1.0);
+  slider.text = std::to_string(std::lround(squares));
+  slider.changed = settings.checkerSquares != RenderSettings{}.checkerSquares;
+  const auto set = [&](double fraction) {
+    const double wanted = kFewest * std::pow(kMost / kFewest, std::clamp(fraction, 0.0, 1.0));
+    ui.run("checker-size " + std::to_string(std::lround(wanted)));
+  };
+  slider.moved = [&](double fraction, bool) { set(fraction); };
+  slider.typed = [&](const std::string& text) { ui.run("checker-size " + quotedArgument(text)); };
+  slider.nudged = [&](int direction) { set(slider.fraction + 0.02 * direction); };
+  rowLabel(settings.checkerInTexture ? "Squares on the texture" : "Squares on the model");
+  barSlider(ui, slider, ImGui::GetContentRegionAvail().x);
+  tooltip(ui, "checker-size", "Squares", ui.actions.find("checker-size")->help);
+}
+
 }  // namespace
 
 void viewPanel(const Ui& ui) {
-  if (!section(ui, "View")) return;
-  overlaySwitches(ui);
-  colorMapRow(ui);
+  static constexpr const char* kOverlays[] = {"seams",        "cuts",        "seeds",     "numbers",
+                                              "edges",        "sharp-edges", "color-bar", "smooth",
+                                              "orthographic", "isolate"};
+  static constexpr const char* kTexture[] = {"checker-in-texture", "checker-tint", "uv-fill",
+                                             "uv-frame"};
+  if (section(ui, "View")) {
+    switches(ui, kOverlays);
+    colorMapRow(ui);
+  }
+  if (section(ui, "Texture")) {
+    checkerKindRow(ui);
+    checkerSizeRow(ui);
+    switches(ui, kTexture);
+  }
 }
 
 }  // namespace chartflood

@@ -1,0 +1,159 @@
+#include "app/gui/panels/uv_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <imgui_internal.h>
+
+#include "app/gui/panels/scene_panel.h"
+#include "app/gui/widgets.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr double kWheelFactor = 1.2;  // closer by this per notch
+
+/// The rectangle of the texture's picture.
+struct UvRectangle {
+  ImVec2 min, max;
+  glm::dvec2 size() const { return {max.x - min.x, max.y - min.y}; }
+  glm::dvec2 pixel(ImVec2 place) const { return {place.x - min.x, place.y - min.y}; }
+};
+
+Pick pickAt(UvSource* source, const UvRectangle& view, ImVec2 place) {
+  if (source == nullptr) return {};
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  return source->pick(static_cast<int>((place.x - view.min.x) * scale.x),
+                      static_cast<int>((place.y - view.min.y) * scale.y));
+}
+
+void drag(const Ui& ui, const UvRectangle& view, UvMouse& mouse) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
+  mouse.travelled += std::abs(io.MouseDelta.x) + std::abs(io.MouseDelta.y);
+  if (mouse.travelled < kClickTravel) return;
+  const ImVec2 from{io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y};
+  ui.state.view.uvCamera.pan(view.pixel(from), view.pixel(io.MousePos), view.size());
+}
+
+void click(const Ui& ui, UvSource* source, const UvRectangle& view) {
+  const Pick pick = pickAt(source, view, ImGui::GetIO().MousePos);
+  ui.run(pick.chart == kNone ? "select-chart" : "select-chart " + std::to_string(pick.chart));
+}
+
+void useMouse(const Ui& ui, UvSource* source, const UvRectangle& view, UvMouse& mouse) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActivated()) {
+    mouse.button = io.MouseDown[0] ? 0 : io.MouseDown[1] ? 1 : 2;
+    mouse.travelled = 0;
+    GImGui->NavDisableHighlight = true;  // the keyboard belongs to the views again
+  }
+  if (ImGui::IsItemActive() && mouse.button >= 0) drag(ui, view, mouse);
+  const bool doubleClicked = ImGui::IsItemHovered() && io.MouseDoubleClicked[0];
+  if (ImGui::IsItemDeactivated()) {
+    if (mouse.button == 0 && mouse.travelled < kClickTravel) click(ui, source, view);
+    mouse.button = -1;
+  }
+  if (doubleClicked) ui.run("frame-uv");
+  if (!ImGui::IsItemHovered()) return leaveUv(ui, mouse);
+  ui.state.panels.uvUnderMouse = true;
+  if (io.MouseWheel != 0) {
+    const double notches = static_cast<double>(io.MouseWheel);
+    const double steps = ui.state.preferences.invertZoom ? -notches : notches;
+    ui.state.view.uvCamera.zoom(std::pow(kWheelFactor, steps), view.pixel(io.MousePos),
+                                view.size());
+    mouse.pickedAt = {-1, -1};
+  }
+  const bool same = io.MousePos.x == mouse.pickedAt.x && io.MousePos.y == mouse.pickedAt.y;
+  if (mouse.button >= 0 || same) return;
+  mouse.pickedAt = io.MousePos;
+  mouse.face = pickAt(source, view, io.MousePos).face;
+  ui.state.hoveredFace = mouse.face;
+}
+
+/// A line in the middle of the present window.
+void centredText(const Ui& ui, const char* text) {
+  const float width = ImGui::CalcTextSize(text).x;
+  const float room = ImGui::GetContentRegionAvail().x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, std::round((room - width) / 2)));
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
+  ImGui::TextUnformatted(text);
+  ImGui::PopStyleColor();
+}
+
+/// What to do when nothing is laid flat yet. The button is there once the program can unwrap.
+void drawMissing(const Ui& ui) {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const bool can = ui.actions.find("unwrap") != nullptr;
+  const std::string key = can ? ui.actions.shortcut("unwrap") : std::string();
+  ImGui::Dummy({0, std::round(0.34f * room.y)});
+  centredText(ui, "The charts lie flat here once they are unwrapped.");
+  if (!can) return;
+  if (!key.empty()) centredText(ui, ("Press Unwrap (" + key + ")").c_str());
+  ImGui::Dummy({0, ui.px(4)});
+  const float width = std::min(ui.px(130), room.x);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::round((room.x - width) / 2));
+  textButton(ui, "Unwrap", "unwrap", {width, ui.px(32)});
+}
+
+std::string figures(const Atlas& atlas) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.0f %% of the texture used", 100 * atlas.efficiency);
+  return text;
+}
+
+/// The texture's figures at the bottom left and what the mouse does at the right of it.
+void drawCaption(const Ui& ui, const UvRectangle& view) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushFont(ui.theme.small);
+  const std::string left = figures(*ui.state.results().atlas);
+  const char* right = "Wheel: closer   Drag: move   F: all";
+  const float y = view.max.y - ui.px(19), pad = ui.px(8);
+  list.AddRectFilled({view.min.x, y - ui.px(5)}, view.max,
+                     (ui.theme.palette.panel & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 200));
+  list.AddText({view.min.x + pad, y}, ui.theme.palette.dim, left.c_str());
+  const float used = ImGui::CalcTextSize(left.c_str()).x, width = ImGui::CalcTextSize(right).x;
+  if (view.min.x + used + width + 4 * pad < view.max.x) {
+    list.AddText({view.max.x - width - pad, y}, ui.theme.palette.dim, right);
+  }
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void leaveUv(const Ui& ui, UvMouse& mouse) {
+  // Unless the model is pointed at by now.
+  if (mouse.face != kNone && ui.state.hoveredFace == mouse.face) ui.state.hoveredFace = kNone;
+  mouse.face = kNone;
+  mouse.pickedAt = {-1, -1};
+}
+
+void uvPanel(const Ui& ui, UvSource* source, UvMouse& mouse, bool elsewhere) {
+  const Results& results = ui.state.results();
+  if (!results.charts || !results.atlas) {
+    leaveUv(ui, mouse);
+    return drawMissing(ui);
+  }
+  const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
+  if (size.x < 8 || size.y < 8) return leaveUv(ui, mouse);
+  const UvRectangle view{low, {low.x + size.x, low.y + size.y}};
+  ImGui::InvisibleButton("uv", size,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  ui.probe.item("uv");
+  useMouse(ui, source, view, mouse);
+  if (source != nullptr) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const bool busy = elsewhere || ui.state.playback.playing() || ui.state.status().busy;
+    const ImTextureID picture =
+        source->picture(ui.state, static_cast<int>(size.x * scale.x),
+                        static_cast<int>(size.y * scale.y), ui.theme.scale, busy);
+    ImGui::GetWindowDrawList()->AddImage(picture, view.min, view.max, {0, 1}, {1, 0});
+  }
+  drawCaption(ui, view);
+}
+
+}  // namespace chartflood

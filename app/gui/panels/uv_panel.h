@@ -1,0 +1,22 @@
+#pragma once
+/// The UV tab: the charts laid flat, linked with the 3D view.
+
+#include "app/gui/ui.h"
+#include "app/gui/uv_view.h"
+
+namespace chartflood {
+
+/// What the mouse is doing in the texture; kept by the owner of the panel.
+struct UvMouse {
+  int button = -1;      ///< that was pressed inside, -1: none
+  float travelled = 0;  ///< pixels since then
+  ImVec2 pickedAt{-1, -1};
+  Index face = kNone;  ///< under the mouse, as told to the state
+};
+
+/// Fills the rest of the present window. `elsewhere`: the 3D view is being moved.
+void uvPanel(const Ui& ui, UvSource* source, UvMouse& mouse, bool elsewhere);
+/// To be called in frames that do not show it.
+void leaveUv(const Ui& ui, UvMouse& mouse);
+
+}  // namespace chartflood
