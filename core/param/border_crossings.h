@@ -1,0 +1,28 @@
+#pragma once
+/// Whether the boundary of a flat chart crosses itself. A map without flips whose boundary does not
+/// is one-to-one.
+
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "core/base/index.h"
+
+namespace chartflood {
+
+/// Marks the segments (from `loop[i]` to the next) that cross another. Two segments cross when each
+/// has its ends on different sides of the other, by more than `slack` times the product of their
+/// lengths in twice the area: the two sides of a closed slit touch all along and shall not count.
+/// \return true when there is any; `crossing` then says which
+/// Cost: linear for even segments (uniform grid).
+bool findCrossings(std::span<const Index> loop, std::span<const glm::dvec2> uv, double slack,
+                   std::vector<bool>& crossing);
+
+/// Marks the vertices (of `loop[i]`) that come nearer to a segment that is not their own than `share`
+/// of the shorter of their two segments, and the ends of segments that cross another however
+/// little. \return true when there is any
+bool findTouches(std::span<const Index> loop, std::span<const glm::dvec2> uv, double share,
+                 std::vector<bool>& touching);
+
+}  // namespace chartflood

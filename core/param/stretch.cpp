@@ -1,0 +1,116 @@
+#include "core/param/stretch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/param/rest_shape.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr double kAreaFloor = 1e-10;  // of the mean area of a triangle in the plane
+constexpr double kLargest = 1e15;     // where a ratio of a vanishing triangle ends
+
+double spaceArea(const ChartSurface& surface, std::size_t triangle) {
+  const auto& t = surface.triangles[triangle];
+  const glm::dvec3& origin = surface.positions[t[0]];
+  return 0.5 * glm::length(glm::cross(surface.positions[t[1]] - origin,
+                                      surface.positions[t[2]] - origin));
+}
+
+/// Areas of the chart that its triangles are compared with.
+struct ChartAreas {
+  double space = 0;        // of the surface
+  double plane = 0;        // sum of the absolute areas
+  bool clockwise = false;  // most of the plane area is
+};
+
+ChartAreas chartAreas(const ChartSurface& surface, std::span<const glm::dvec2> uv) {
+  ChartAreas areas;
+  std::ptrdiff_t majority = 0;
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t) {
+    const auto& v = surface.triangles[t];
+    const double area = signedArea(uv[v[0]], uv[v[1]], uv[v[2]]);
+    areas.space += spaceArea(surface, t);
+    areas.plane += std::abs(area);
+    majority += area < 0 ? -1 : 1;
+  }
+  areas.clockwise = majority < 0;
+  return areas;
+}
+
+/// \param factor plane area of the chart over its area in space
+TriangleDistortion distortionOf(const std::array<glm::dvec3, 3>& q,
+                                const std::array<glm::dvec2, 3>& p, double planeArea,
+                                double spaceArea, double factor) {
+  // Partial derivatives of the map from the plane to space (Sander 2001, section 3).
+  const double half = 0.5 / planeArea;
+  const glm::dvec3 s = half * (q[0] * (p[1].y - p[2].y) + q[1] * (p[2].y - p[0].y) +
+                               q[2] * (p[0].y - p[1].y));
+  const glm::dvec3 t = half * (q[0] * (p[2].x - p[1].x) + q[1] * (p[0].x - p[2].x) +
+                               q[2] * (p[1].x - p[0].x));
+  const double a = glm::dot(s, s), c = glm::dot(t, t);
+  const double product = spaceArea / planeArea;  // of the singular values
+  // (s1 + s2)^2 and (s1 - s2)^2; rounding may take the second below 0.
+  const double sum = std::sqrt(a + c + 2 * product);
+  const double difference = std::sqrt(std::max(0.0, a + c - 2 * product));
+  const double largest = 0.5 * (sum + difference);
+  TriangleDistortion d;
+  d.l2 = std::min(std::sqrt(0.5 * (a + c) * factor), kLargest);
+  d.linf = std::min(largest * std::sqrt(factor), kLargest);
+  d.areaRatio = std::clamp(1 / (product * factor), 1 / kLargest, kLargest);
+  d.angle = std::min(largest * largest / product, kLargest);
+  return d;
+}
+
+}  // namespace
+
+std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
+                                                   std::span<const glm::dvec2> uv) {
+  std::vector<TriangleDistortion> result(surface.triangleCount());
+  const ChartAreas areas = chartAreas(surface, uv);
+  const double count = static_cast<double>(surface.triangleCount());
+  const double least = kAreaFloor * areas.plane / count;
+  const double factor = areas.plane / areas.space;
+  for (std::size_t t = 0; t < result.size(); ++t) {
+    const auto& v = surface.triangles[t];
+    const std::array<glm::dvec2, 3> p{uv[v[0]], uv[v[1]], uv[v[2]]};
+    const double plane = signedArea(p[0], p[1], p[2]);
+    const double space = spaceArea(surface, t);
+    // Below this share a triangle has no shape that could be measured.
+    if (std::isfinite(factor) && factor > 0 && space > 1e-15 * areas.space / count) {
+      result[t] = distortionOf(
+          {surface.positions[v[0]], surface.positions[v[1]], surface.positions[v[2]]}, p,
+          std::max(std::abs(plane), least), space, factor);
+    }
+    result[t].flipped = plane != 0 && (plane < 0) != areas.clockwise;
+  }
+  return result;
+}
+
+Distortion chartDistortion(const ChartSurface& surface,
+                           std::span<const TriangleDistortion> triangles) {
+  Distortion d;
+  double total = 0, square = 0, area = 0, angle = 0, linf = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const TriangleDistortion& one = triangles[t];
+    const double weight = spaceArea(surface, t);
+    total += weight;
+    square += weight * one.l2 * one.l2;
+    area += weight * std::max(one.areaRatio, 1 / one.areaRatio);
+    angle += weight * one.angle;
+    linf = std::max(linf, one.linf);
+    d.flipped += one.flipped ? 1 : 0;
+  }
+  if (!(total > 0)) return d;
+  d.l2 = std::sqrt(square / total);
+  d.linf = linf;
+  d.area = area / total;
+  d.angle = angle / total;
+  return d;
+}
+
+}  // namespace chartflood
