@@ -11,8 +11,8 @@ namespace {
 
 using Point = glm::dvec2;
 
-/// Shrinking where it is not known how much helps.
-constexpr double kTry = 0.01;
+/// How far charts that overlap are pushed at once, texture units.
+constexpr double kOverlapPush = 0.002;
 
 double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 double largerAxis(const Point& d) { return std::max(std::abs(d.x), std::abs(d.y)); }
@@ -60,21 +60,32 @@ class PlacedSegments {
     makeGrid();
   }
 
-  /// Share by which the charts must shrink, as far as their closest points tell; 0: all is well.
-  double neededShrink() {
-    double shrink = 0;
+  /// What is missing between charts, and where.
+  void measure() {
+    contacts_.clear();
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      shrink = std::max(shrink, borderShrink(i));
+      measureBorder(i);
       forCells(segments_[i], gap_, [&](std::size_t cell) {
         for (std::size_t k = cellBegin_[cell]; k < cellBegin_[cell + 1]; ++k) {
-          if (chartOf_[inCell_[k]] > chartOf_[i]) {
-            shrink = std::max(shrink, pairShrink(i, inCell_[k]));
-          }
+          if (chartOf_[inCell_[k]] > chartOf_[i]) measurePair(i, inCell_[k]);
         }
       });
     }
-    return shrink > 0 || !anyInside() ? shrink : kTry;
+    if (contacts_.empty()) measureInside();
+    std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
+      if (a.first != b.first) return a.first < b.first;
+      if (a.second != b.second) return a.second < b.second;
+      return a.missing > b.missing;
+    });
   }
+
+  /// One entry a pair of charts, or a chart and the border: the deepest contact.
+  struct Contact {
+    std::size_t first, second;  ///< charts; `second` == number of charts: the border
+    double missing;
+    Point push;  ///< of the first chart, with the length that is missing
+  };
+  std::span<const Contact> contacts() const { return contacts_; }
 
  private:
   void makeGrid() {
@@ -121,59 +132,54 @@ class PlacedSegments {
       }
     }
   }
-  double borderShrink(std::size_t i) const {
-    const Pose& pose = charts_[chartOf_[i]].pose;
+  void measureBorder(std::size_t i) {
     const Point& p = segments_[i][0];
-    double shrink = 0;
-    for (const auto& [at, center] : {std::pair(p.x, pose.x), std::pair(p.y, pose.y)}) {
-      const double outside = std::max(border_ - at, at - (1 - border_));
-      if (outside <= 0) continue;
-      const double arm = std::abs(at - center);
-      shrink = std::max(shrink, arm > outside ? outside / arm : 0.5);
+    Point push(0);
+    for (int axis = 0; axis < 2; ++axis) {
+      push[axis] = std::max(border_ - p[axis], 0.0) - std::max(p[axis] - (1 - border_), 0.0);
     }
-    return shrink;
+    if (push.x != 0) contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.x), {push.x, 0}});
+    if (push.y != 0) contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.y), {0, push.y}});
   }
-  double pairShrink(std::size_t i, std::size_t j) const {
+  void measurePair(std::size_t i, std::size_t j) {
     const Segment2 &s = segments_[i], &t = segments_[j];
     if (std::min(t[0].x, t[1].x) - std::max(s[0].x, s[1].x) >= gap_ ||
         std::min(s[0].x, s[1].x) - std::max(t[0].x, t[1].x) >= gap_ ||
         std::min(t[0].y, t[1].y) - std::max(s[0].y, s[1].y) >= gap_ ||
         std::min(s[0].y, s[1].y) - std::max(t[0].y, t[1].y) >= gap_) {
-      return 0;
+      return;
     }
-    if (crossing(s, t)) return kTry;
-    double shrink = 0;
-    for (int end = 0; end < 2; ++end) {
-      shrink = std::max(shrink, wayShrink(i, s[end], j, wayToSegment(s[end], t)));
-      shrink = std::max(shrink, wayShrink(j, t[end], i, wayToSegment(t[end], s)));
-    }
-    return shrink;
+    if (crossing(s, t)) return addOverlap(chartOf_[i], chartOf_[j]);
+    Point way = wayToSegment(s[0], t);
+    const auto offer = [&way](const Point& other) {
+      if (largerAxis(other) < largerAxis(way)) way = other;
+    };
+    offer(wayToSegment(s[1], t));
+    offer(-wayToSegment(t[0], s));
+    offer(-wayToSegment(t[1], s));
+    const double length = largerAxis(way);
+    if (length >= gap_) return;
+    const int axis = std::abs(way.x) >= std::abs(way.y) ? 0 : 1;
+    Point push(0);
+    push[axis] = way[axis] < 0 ? gap_ - length : length - gap_;
+    contacts_.push_back({chartOf_[i], chartOf_[j], gap_ - length, push});
   }
-  /// Shrinking that makes the way from point `p` of segment i to segment j long enough along one
-  /// of the axes.
-  double wayShrink(std::size_t i, const Point& p, std::size_t j, const Point& way) const {
-    if (largerAxis(way) >= gap_) return 0;
-    // Where the charts interlock, shrinking does not part them at this place: try a little.
-    double shrink = kTry;
-    const Pose &a = charts_[chartOf_[i]].pose, &b = charts_[chartOf_[j]].pose;
-    const Point arm = (p - Point(a.x, a.y)) - (p + way - Point(b.x, b.y));
-    for (const auto& [length, gain] : {std::pair(way.x, arm.x), std::pair(way.y, arm.y)}) {
-      const double missing = gap_ - std::abs(length);
-      const double gained = length < 0 ? -gain : gain;
-      if (gained * kTry > missing) shrink = std::min(shrink, missing / gained);
-    }
-    return shrink;
+  /// Charts that overlap part along the line of their centres.
+  void addOverlap(std::size_t a, std::size_t b) {
+    const Point d(charts_[a].pose.x - charts_[b].pose.x, charts_[a].pose.y - charts_[b].pose.y);
+    const double length = std::max(std::hypot(d.x, d.y), 1e-9);
+    const double missing = gap_ + kOverlapPush;
+    contacts_.push_back({a, b, missing, d * (missing / length)});
   }
   /// A chart inside another touches it nowhere: look at one point of each.
-  bool anyInside() const {
+  void measureInside() {
     for (std::size_t a = 0; a < charts_.size(); ++a) {
       if (begin_[a] == begin_[a + 1]) continue;
       const Point& p = segments_[begin_[a]][0];
       for (std::size_t b = 0; b < charts_.size(); ++b) {
-        if (a != b && winding(p, b) != 0) return true;
+        if (a != b && winding(p, b) != 0) addOverlap(std::min(a, b), std::max(a, b));
       }
     }
-    return false;
   }
   int winding(const Point& p, std::size_t chart) const {
     int turns = 0;
@@ -193,19 +199,41 @@ class PlacedSegments {
   std::vector<std::size_t> chartOf_, begin_;
   int cells_ = 1;
   std::vector<std::size_t> cellBegin_, inCell_;
+  std::vector<Contact> contacts_;
 };
 
 }  // namespace
 
-double largestScale(std::span<const PlacedOutline> charts, const PackGaps& gaps, double largest) {
-  constexpr int kTries = 60;
-  double scale = largest;
- 
-  for (int i = 0; i < kTries; ++i) {
-    const double shrink = PlacedSegments(charts, gaps, scale).neededShrink();
-    if (getenv("VERB")) printf("try %d scale %g shrink %g\n", i, scale, shrink);
-    if (shrink == 0) return scale;
-    scale *= 1 - 1.0001 * shrink - 1e-9;
+double settle(std::span<PlacedOutline> charts, const PackGaps& gaps, double scale,
+              const Progress& progress) {
+  constexpr int kSteps = 120;
+  constexpr double kLargestMove = 0.004;
+  // A little more than is missing, so that steps come to an end.
+  constexpr double kSpare = 2e-5;
+  std::vector<Point> move(charts.size());
+  for (int i = 0; i < kSteps && !progress.cancelled(); ++i) {
+    PlacedSegments placed(charts, gaps, scale);
+    placed.measure();
+    if (placed.contacts().empty()) return scale;
+    std::fill(move.begin(), move.end(), Point(0));
+    double most = 0;
+    const PlacedSegments::Contact* last = nullptr;
+    for (const auto& contact : placed.contacts()) {
+      if (last != nullptr && last->first == contact.first && last->second == contact.second) continue;
+      last = &contact;
+      most = std::max(most, contact.missing);
+      const bool wall = contact.second == charts.size();
+      const Point push = contact.push * (1 + kSpare / contact.missing);
+      move[contact.first] += push * (wall ? 1.0 : 0.5);
+      if (!wall) move[contact.second] -= push * 0.5;
+    }
+    if (getenv("VERB")) printf("try %d scale %g most %g px, %zu\n", i, scale, most*1024,placed.contacts().size());
+    for (std::size_t k = 0; k < charts.size(); ++k) {
+      const double length = std::hypot(move[k].x, move[k].y);
+      if (length > kLargestMove) move[k] *= kLargestMove / length;
+      charts[k].pose.x += move[k].x, charts[k].pose.y += move[k].y;
+    }
+    scale *= 1 - std::min(0.02, most) * (0.1 + 0.03 * i) - 1e-8;
   }
   return 0;
 }

@@ -17,11 +17,14 @@ struct PlacedOutline {
   Pose pose;  ///< texture units
 };
 
-/// The largest scale found, at most `largest` (texture units per unit of the charts' plane), at
-/// which all charts lie in the texture and keep the gaps from each other; they are scaled about
-/// their centres, which stay where they are. 0: none.
+/// Moves the charts a little and scales them down until all lie in the texture and keep the gaps
+/// from each other: charts that are too close push each other apart, step by step, while the scale
+/// falls with what is still missing.
 /// Exact up to rounding: the distance of two outlines is that of their closest points, along the
-/// axis where it is larger. Cost: about linear in the outlines' segments, several times.
-double largestScale(std::span<const PlacedOutline> charts, const PackGaps& gaps, double largest);
+/// axis where it is larger. Cost a step: about linear in the outlines' segments.
+/// \param scale to begin with, texture units per unit of the charts' plane
+/// \return the scale reached; 0: none
+double settle(std::span<PlacedOutline> charts, const PackGaps& gaps, double scale,
+              const Progress& progress);
 
 }  // namespace chartflood

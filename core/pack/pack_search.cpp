@@ -1,6 +1,7 @@
 #include "core/pack/pack_search.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <cstdio>
@@ -26,9 +27,10 @@ PackLayout searchLayout(std::span<const PackShape> shapes, const PackGaps& gaps,
   std::vector<PackLayout> starts(static_cast<std::size_t>(options.starts));
   const double fill0 = envd("FILL", 0.8);
   const double sigma = envd("SIGMA", 0.3);
-  gD0 = (float)envd("D0", 0.0005); gC = (float)envd("DC", 8);
-  std::vector<double> depths; { double d = envd("PMAX", 8); for (; d > envd("PMIN", 0.02); d /= envd("PDIV", 4)) depths.push_back(d); }
+  gD0 = (float)envd("D0", 0.0001); gC = (float)envd("DC", 10);
+  std::vector<double> depths; { double d = envd("PMAX", 4); for (; d > envd("PMIN", 0.02); d /= envd("PDIV", 8)) depths.push_back(d); }
   const int turns = (int)envd("TURNS", 16);
+  std::atomic<int> done{0};
   parallelFor(starts.size(), [&](std::size_t k) {
     Rng rng(options.seed + static_cast<std::uint32_t>(k));
     std::vector<std::pair<double, Index>> order;
@@ -47,7 +49,7 @@ PackLayout searchLayout(std::span<const PackShape> shapes, const PackGaps& gaps,
     const double px = side / 1024;
     if (getenv("NOSQ") == nullptr) {
       for (const double depth : depths) {
-        squeezer.run(layout, {4 * depth * px * envd("PRESS", 1), (int)envd("STEPS", 150)}, progress);
+        squeezer.run(layout, {4 * depth * px * envd("PRESS", 1), (int)envd("STEPS", 100)}, progress);
         if (getenv("VERB")) printf("  start %zu depth %g: side %.4f eff %.4f depth %g true %.4f\n", k, depth, layout.side, 1 / (layout.side * layout.side), squeezer.depth()/px, std::pow(layout.side*(1+squeezer.depth()/.2),-2));
       }
       layout.side *= 1 + squeezer.depth() / 0.2;
@@ -56,7 +58,7 @@ PackLayout searchLayout(std::span<const PackShape> shapes, const PackGaps& gaps,
   });
   std::sort(starts.begin(), starts.end(), [](const PackLayout& a, const PackLayout& b) { return a.side < b.side; });
   if (getenv("VERB")) for (auto& l : starts) printf("start %.4f\n", 1 / (l.side * l.side));
-  const int chains = (int)envd("CHAINS", 2), rounds = (int)envd("ROUNDS", 16);
+  const int chains = (int)envd("CHAINS", 2), rounds = (int)envd("ROUNDS", 20);
   std::vector<double> rdepths; { double d = envd("RMAX", 2); for (; d > envd("RMIN", 0.02); d /= envd("RDIV", 8)) rdepths.push_back(d); }
   const int rsteps = (int)envd("RSTEPS", 80), kmin = (int)envd("KMIN", 2), kmax = (int)envd("KMAX", 4);
   starts.resize(chains);
@@ -64,7 +66,8 @@ PackLayout searchLayout(std::span<const PackShape> shapes, const PackGaps& gaps,
     Rng rng(1000 + options.seed + static_cast<std::uint32_t>(k));
     PackLayout best = starts[k];
     const Index n = static_cast<Index>(shapes.size());
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < rounds && !progress.cancelled(); ++round) {
+      progress.setFraction(0.3f + 0.6f * (float)done++ / (float)(chains * rounds));
       PackLayout layout = best;
       const int take = std::min<int>(n, kmin + rng.below(kmax - kmin + 1));
       // an item and its neighbours

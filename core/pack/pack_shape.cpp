@@ -73,7 +73,7 @@ void appendPoints(std::vector<PackShape::Point>& points, const Polyline& line, d
     for (int k = 0; k < parts; ++k) {
       const glm::dvec2 p = line[i] + (line[i + 1] - line[i]) * (static_cast<double>(k) / parts);
       points.push_back({static_cast<float>(p.x), static_cast<float>(p.y),
-                        static_cast<float>(getenv("UNIF") ? spacing : length / parts)});
+                        static_cast<float>(spacing)});
     }
   }
 }

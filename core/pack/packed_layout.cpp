@@ -54,7 +54,7 @@ std::vector<Placement> fitted(std::span<const ChartOutline> outlines,
     placed[i] = {&outlines[i], shapes[i].center,
                  {pose.x / layout.side + 0.5, pose.y / layout.side + 0.5, pose.angle}};
   }
-  const double best = largestScale(placed, gaps, 1.02 * scale / layout.side);
+  const double best = settle(placed, gaps, 1.002 * scale / layout.side, progress);
   if (getenv("VERB")) printf("exact %.4f \n", best*best/scale/scale);
   std::vector<Placement> placement;
   for (const PlacedOutline& p : placed) {

@@ -196,6 +196,17 @@ void Squeezer::step(PackLayout& layout, double pressure) {
     dt_ *= 0.5, mixing_ = kFirstMixing, downhill_ = 0;
     dt_ = std::max(dt_, 0.02);
   }
+  double farthest = std::abs(velocity_[3 * count] * inverseRoot_[3 * count]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double radius = shapes_[i].radius;
+    for (int k = 0; k < 3; ++k) {
+      farthest = std::max(farthest, std::abs(velocity_[3 * i + k] * inverseRoot_[3 * i + k]) * (k == 2 ? radius : 1.0));
+    }
+  }
+  if (farthest * dt_ > 0.01) {
+    const double slow = 0.01 / (farthest * dt_);
+    for (double& v : velocity_) v *= slow;
+  }
   const double newSide =
       std::max(layout.side + dt_ * velocity_[3 * count] * inverseRoot_[3 * count],
                0.5 * layout.side);
