@@ -1,0 +1,241 @@
+#include "core/pack/gap_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace chartflood {
+
+namespace {
+
+using Point = glm::dvec2;
+
+/// How far charts that overlap are pushed at once, texture units.
+constexpr double kOverlapPush = 0.002;
+
+double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
+double largerAxis(const Point& d) { return std::max(std::abs(d.x), std::abs(d.y)); }
+
+/// The way from a point to the nearest point of a segment in the norm of the larger axis.
+Point wayToSegment(const Point& p, const Segment2& s) {
+  const Point a = s[0] - p, d = s[1] - s[0];
+  Point best = a;
+  const auto offer = [&](double t) {
+    const Point way = a + std::clamp(t, 0.0, 1.0) * d;
+    if (largerAxis(way) < largerAxis(best)) best = way;
+  };
+  offer(1);
+  // The larger axis changes where both are equal.
+  if (d.x != d.y) offer((a.y - a.x) / (d.x - d.y));
+  if (d.x != -d.y) offer(-(a.x + a.y) / (d.x + d.y));
+  return best;
+}
+
+bool crossing(const Segment2& s, const Segment2& t) {
+  const double a = cross(s[1] - s[0], t[0] - s[0]), b = cross(s[1] - s[0], t[1] - s[0]);
+  const double c = cross(t[1] - t[0], s[0] - t[0]), d = cross(t[1] - t[0], s[1] - t[0]);
+  return ((a > 0 && b < 0) || (a < 0 && b > 0)) && ((c > 0 && d < 0) || (c < 0 && d > 0));
+}
+
+/// All outlines in the texture at one scale, and a grid over their segments.
+class PlacedSegments {
+ public:
+  PlacedSegments(std::span<const PlacedOutline> charts, const PackGaps& gaps, double scale)
+      : charts_(charts), gap_(gaps.between), border_(gaps.border) {
+    begin_.push_back(0);
+    for (std::size_t k = 0; k < charts.size(); ++k) {
+      const PlacedOutline& chart = charts[k];
+      const double c = scale * std::cos(chart.pose.angle), s = scale * std::sin(chart.pose.angle);
+      const auto place = [&](const Point& p) {
+        const Point q = p - chart.center;
+        return Point(chart.pose.x + c * q.x - s * q.y, chart.pose.y + s * q.x + c * q.y);
+      };
+      for (const Segment2& segment : chart.outline->segments) {
+        segments_.push_back({place(segment[0]), place(segment[1])});
+        chartOf_.push_back(k);
+      }
+      begin_.push_back(segments_.size());
+    }
+    makeGrid();
+  }
+
+  /// What is missing between charts, and where.
+  void measure() {
+    contacts_.clear();
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      measureBorder(i);
+      forCells(segments_[i], gap_, [&](std::size_t cell) {
+        for (std::size_t k = cellBegin_[cell]; k < cellBegin_[cell + 1]; ++k) {
+          if (chartOf_[inCell_[k]] > chartOf_[i]) measurePair(i, inCell_[k]);
+        }
+      });
+    }
+    if (contacts_.empty()) measureInside();
+    std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
+      if (a.first != b.first) return a.first < b.first;
+      if (a.second != b.second) return a.second < b.second;
+      return a.missing > b.missing;
+    });
+  }
+
+  /// One entry a pair of charts, or a chart and the border: the deepest contact.
+  struct Contact {
+    std::size_t first, second;  ///< charts; `second` == number of charts: the border
+    double missing;
+    Point push;  ///< of the first chart, with the length that is missing
+  };
+  std::span<const Contact> contacts() const { return contacts_; }
+
+ private:
+  void makeGrid() {
+    const double wanted = std::max(gap_, 1.0 / 256);
+    cells_ = std::max(1, static_cast<int>(1 / wanted));
+    const std::size_t count = static_cast<std::size_t>(cells_) * static_cast<std::size_t>(cells_);
+    cellBegin_.assign(count + 1, 0);
+    for (const Segment2& segment : segments_) {
+      forCells(segment, 0, [&](std::size_t cell) { ++cellBegin_[cell + 1]; });
+    }
+    for (std::size_t c = 0; c < count; ++c) cellBegin_[c + 1] += cellBegin_[c];
+    inCell_.resize(cellBegin_.back());
+    std::vector<std::size_t> next(cellBegin_.begin(), cellBegin_.end() - 1);
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      forCells(segments_[i], 0, [&](std::size_t cell) { inCell_[next[cell]++] = i; });
+    }
+  }
+  int cellOf(double v) const {
+    return std::clamp(static_cast<int>(std::floor(v * cells_)), 0, cells_ - 1);
+  }
+  /// Calls `visit` for the cells within `around` of the segment, row by row.
+  template <class Visit>
+  void forCells(const Segment2& segment, double around, const Visit& visit) const {
+    const bool up = segment[0].y <= segment[1].y;
+    const Point& low = up ? segment[0] : segment[1];
+    const Point& high = up ? segment[1] : segment[0];
+    const int j0 = cellOf(low.y - around), j1 = cellOf(high.y + around);
+    for (int j = j0; j <= j1; ++j) {
+      // Part of the segment within reach of the row, from end to end.
+      const double bottom = (j == 0 ? -INFINITY : static_cast<double>(j) / cells_) - around;
+      const double top = (j == cells_ - 1 ? INFINITY : (j + 1.0) / cells_) + around;
+      double x0 = low.x, x1 = high.x;
+      if (high.y > low.y) {
+        const double t0 = std::clamp((bottom - low.y) / (high.y - low.y), 0.0, 1.0);
+        const double t1 = std::clamp((top - low.y) / (high.y - low.y), 0.0, 1.0);
+        x0 = low.x + t0 * (high.x - low.x), x1 = low.x + t1 * (high.x - low.x);
+      }
+      constexpr double kRounding = 1e-9;
+      const int i0 = cellOf(std::min(x0, x1) - around - kRounding);
+      const int i1 = cellOf(std::max(x0, x1) + around + kRounding);
+      for (int i = i0; i <= i1; ++i) {
+        visit(static_cast<std::size_t>(j) * static_cast<std::size_t>(cells_) +
+              static_cast<std::size_t>(i));
+      }
+    }
+  }
+  void measureBorder(std::size_t i) {
+    const Point& p = segments_[i][0];
+    Point push(0);
+    for (int axis = 0; axis < 2; ++axis) {
+      push[axis] = std::max(border_ - p[axis], 0.0) - std::max(p[axis] - (1 - border_), 0.0);
+    }
+    if (push.x != 0) contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.x), {push.x, 0}});
+    if (push.y != 0) contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.y), {0, push.y}});
+  }
+  void measurePair(std::size_t i, std::size_t j) {
+    const Segment2 &s = segments_[i], &t = segments_[j];
+    if (std::min(t[0].x, t[1].x) - std::max(s[0].x, s[1].x) >= gap_ ||
+        std::min(s[0].x, s[1].x) - std::max(t[0].x, t[1].x) >= gap_ ||
+        std::min(t[0].y, t[1].y) - std::max(s[0].y, s[1].y) >= gap_ ||
+        std::min(s[0].y, s[1].y) - std::max(t[0].y, t[1].y) >= gap_) {
+      return;
+    }
+    if (crossing(s, t)) return addOverlap(chartOf_[i], chartOf_[j]);
+    Point way = wayToSegment(s[0], t);
+    const auto offer = [&way](const Point& other) {
+      if (largerAxis(other) < largerAxis(way)) way = other;
+    };
+    offer(wayToSegment(s[1], t));
+    offer(-wayToSegment(t[0], s));
+    offer(-wayToSegment(t[1], s));
+    const double length = largerAxis(way);
+    if (length >= gap_) return;
+    const int axis = std::abs(way.x) >= std::abs(way.y) ? 0 : 1;
+    Point push(0);
+    push[axis] = way[axis] < 0 ? gap_ - length : length - gap_;
+    contacts_.push_back({chartOf_[i], chartOf_[j], gap_ - length, push});
+  }
+  /// Charts that overlap part along the line of their centres.
+  void addOverlap(std::size_t a, std::size_t b) {
+    const Point d(charts_[a].pose.x - charts_[b].pose.x, charts_[a].pose.y - charts_[b].pose.y);
+    const double length = std::max(std::hypot(d.x, d.y), 1e-9);
+    const double missing = gap_ + kOverlapPush;
+    contacts_.push_back({a, b, missing, d * (missing / length)});
+  }
+  /// A chart inside another touches it nowhere: look at one point of each.
+  void measureInside() {
+    for (std::size_t a = 0; a < charts_.size(); ++a) {
+      if (begin_[a] == begin_[a + 1]) continue;
+      const Point& p = segments_[begin_[a]][0];
+      for (std::size_t b = 0; b < charts_.size(); ++b) {
+        if (a != b && winding(p, b) != 0) addOverlap(std::min(a, b), std::max(a, b));
+      }
+    }
+  }
+  int winding(const Point& p, std::size_t chart) const {
+    int turns = 0;
+    for (std::size_t i = begin_[chart]; i < begin_[chart + 1]; ++i) {
+      const auto& [a, b] = segments_[i];
+      if ((a.y <= p.y) == (b.y <= p.y)) continue;
+      const double side = cross(b - a, p - a);
+      if (a.y <= p.y && side > 0) ++turns;
+      if (a.y > p.y && side < 0) --turns;
+    }
+    return turns;
+  }
+
+  std::span<const PlacedOutline> charts_;
+  double gap_, border_;
+  std::vector<Segment2> segments_;
+  std::vector<std::size_t> chartOf_, begin_;
+  int cells_ = 1;
+  std::vector<std::size_t> cellBegin_, inCell_;
+  std::vector<Contact> contacts_;
+};
+
+}  // namespace
+
+double settle(std::span<PlacedOutline> charts, const PackGaps& gaps, double scale,
+              const Progress& progress) {
+  constexpr int kSteps = 120;
+  constexpr double kLargestMove = 0.004;
+  // A little more than is missing, so that steps come to an end.
+  constexpr double kSpare = 2e-5;
+  std::vector<Point> move(charts.size());
+  for (int i = 0; i < kSteps && !progress.cancelled(); ++i) {
+    PlacedSegments placed(charts, gaps, scale);
+    placed.measure();
+    if (placed.contacts().empty()) return scale;
+    std::fill(move.begin(), move.end(), Point(0));
+    double most = 0;
+    const PlacedSegments::Contact* last = nullptr;
+    for (const auto& contact : placed.contacts()) {
+      if (last != nullptr && last->first == contact.first && last->second == contact.second) continue;
+      last = &contact;
+      most = std::max(most, contact.missing);
+      const bool wall = contact.second == charts.size();
+      const Point push = contact.push * (1 + kSpare / contact.missing);
+      move[contact.first] += push * (wall ? 1.0 : 0.5);
+      if (!wall) move[contact.second] -= push * 0.5;
+    }
+    if (getenv("VERB")) printf("try %d scale %g most %g px, %zu\n", i, scale, most*1024,placed.contacts().size());
+    for (std::size_t k = 0; k < charts.size(); ++k) {
+      const double length = std::hypot(move[k].x, move[k].y);
+      if (length > kLargestMove) move[k] *= kLargestMove / length;
+      charts[k].pose.x += move[k].x, charts[k].pose.y += move[k].y;
+    }
+    scale *= 1 - std::min(0.02, most) * (0.1 + 0.03 * i) - 1e-8;
+  }
+  return 0;
+}
+
+}  // namespace chartflood
