@@ -1,7 +1,7 @@
 #include "core/io/charted_mesh.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "core/base/check.h"
 #include "core/base/parallel.h"
@@ -14,6 +14,7 @@ constexpr std::size_t kBlock = 1 << 14;
 
 void check(const ChartedMesh& m) {
   CF_CHECK(m.label.size() == m.mesh.faceCount());
+  for (const Index chart : m.label) CF_CHECK(chart == kNone || chart < m.chartCount());
   CF_CHECK(m.atlas.uv.empty() || m.atlas.uv.size() == m.chartCount());
   for (std::size_t c = 0; c < m.chartCount(); ++c) {
     CF_CHECK(m.uv(c).empty() || m.uv(c).size() == m.surface(c).vertexCount());
@@ -105,8 +106,14 @@ ChartPlaces chartPlaces(const ChartedMesh& m) {
   for (std::size_t c = 0; c < m.chartCount(); ++c) {
     out.begin.push_back(out.begin.back() + static_cast<Index>(m.surface(c).vertexCount()));
   }
-  const std::vector<Index> places = trianglePlaces(m, out.begin);
+  std::vector<Index> places = trianglePlaces(m, out.begin);
   const std::vector<Index> meshFace = meshFaces(m.mesh);
+  if (input.faceStart.empty() && meshFace.empty()) {
+    // Corners of the input are those of the mesh's triangles.
+    out.chart.assign(m.label.begin(), m.label.end());
+    out.corner = std::move(places);
+    return out;
+  }
   out.chart.resize(input.faceCount(), kNone);
   out.corner.resize(input.corners.size(), kNone);
   if (!meshFace.empty()) {
@@ -117,7 +124,6 @@ ChartPlaces chartPlaces(const ChartedMesh& m) {
     for (std::size_t f = first; f < last; ++f) {
       const Index face = meshFace.empty() ? static_cast<Index>(f) : meshFace[f];
       if (face == kNone || m.label[face] == kNone) continue;
-      CF_CHECK(m.label[face] < m.chartCount());
       out.chart[f] = m.label[face];
       const std::span<const Index> vertices = input.face(f);
       const std::size_t corner = static_cast<std::size_t>(vertices.data() - input.corners.data());

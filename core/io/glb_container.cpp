@@ -41,18 +41,20 @@ void appendWord(std::string& bytes, std::size_t value) {
   bytes.append(word, 4);
 }
 
-void pad(std::string& bytes, char filler) { bytes.resize((bytes.size() + 3) / 4 * 4, filler); }
+std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
+
+void pad(std::string& bytes, char filler) { bytes.resize(padded(bytes.size()), filler); }
 
 }  // namespace
 
 int GlbContainer::addView(const void* bytes, std::size_t size, int target) {
-  pad(buffer_, '\0');
-  std::string view = "{\"buffer\":0,\"byteOffset\":" + std::to_string(buffer_.size()) +
+  std::string view = "{\"buffer\":0,\"byteOffset\":" + std::to_string(bufferSize_) +
                      ",\"byteLength\":" + std::to_string(size);
   if (target != 0) view += ",\"target\":" + std::to_string(target);
   addElement(views_, view + "}");
-  buffer_.append(static_cast<const char*>(bytes), size);
-  return viewCount_++;
+  content_.emplace_back(static_cast<const char*>(bytes), size);
+  bufferSize_ += padded(size);
+  return static_cast<int>(content_.size()) - 1;
 }
 
 int GlbContainer::addAccessor(int view, const char* componentAndType, std::size_t count,
@@ -104,7 +106,6 @@ std::string GlbContainer::finish(int indices, std::string_view texturePng) {
               R"(}],"textures":[{"source":0}])";
     color = R"("baseColorTexture":{"index":0},)";
   }
-  pad(buffer_, '\0');
   std::string json =
       R"({"asset":{"version":"2.0","generator":"chartflood"},"scene":0,"scenes":[{"nodes":[0]}],)"
       R"("nodes":[{"mesh":0,"name":"charts"}],"meshes":[{"name":"charts","primitives":[)"
@@ -114,9 +115,9 @@ std::string GlbContainer::finish(int indices, std::string_view texturePng) {
       R"("pbrMetallicRoughness":{)" +
       color + R"("metallicFactor":0,"roughnessFactor":0.8}}])" + texture + R"(,"accessors":[)" +
       accessors_ + R"(],"bufferViews":[)" + views_ + R"(],"buffers":[{"byteLength":)" +
-      std::to_string(buffer_.size()) + "}]}";
+      std::to_string(bufferSize_) + "}]}";
   pad(json, ' ');
-  const std::size_t size = 12 + 8 + json.size() + 8 + buffer_.size();
+  const std::size_t size = 12 + 8 + json.size() + 8 + bufferSize_;
   if (size > std::numeric_limits<std::uint32_t>::max()) {
     throw Error("Could not write GLB: the file would be larger than 4 GB, which it cannot be; "
                 "write OBJ or PLY instead.");
@@ -126,9 +127,14 @@ std::string GlbContainer::finish(int indices, std::string_view texturePng) {
   bytes += "glTF";
   for (const std::size_t word : {std::size_t{2}, size, json.size()}) appendWord(bytes, word);
   bytes += "JSON" + json;
-  appendWord(bytes, buffer_.size());
+  appendWord(bytes, bufferSize_);
   bytes += std::string_view("BIN\0", 4);
-  return bytes += buffer_;
+  for (const std::string_view view : content_) {
+    bytes += view;
+    // The head is a multiple of 4 long.
+    pad(bytes, '\0');
+  }
+  return bytes;
 }
 
 }  // namespace chartflood

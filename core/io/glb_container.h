@@ -7,13 +7,15 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace chartflood {
 
-/// Collects arrays, then writes them out with their description.
+/// Takes note of arrays, which must stay where they are, then writes them out with their
+/// description.
 class GlbContainer {
  public:
   /// \returns the accessor's number
@@ -27,15 +29,16 @@ class GlbContainer {
   std::string finish(int indices, std::string_view texturePng);
 
  private:
-  /// Appends bytes to the buffer as a view of its own. \returns the view's number
+  /// The bytes become a view of the buffer. \returns its number
   int addView(const void* bytes, std::size_t size, int target);
   int addAccessor(int view, const char* componentAndType, std::size_t count,
                   const std::string& bounds);
   void name(std::string_view attribute, int accessor);
 
-  std::string buffer_;
+  std::vector<std::string_view> content_;  ///< of each view; each begins at a multiple of 4
+  std::size_t bufferSize_ = 0;
   std::string views_, accessors_, attributes_;  ///< elements of JSON lists, with commas between
-  int viewCount_ = 0, accessorCount_ = 0;
+  int accessorCount_ = 0;
 };
 
 }  // namespace chartflood

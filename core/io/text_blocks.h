@@ -1,6 +1,7 @@
 #pragma once
 /// Text and binary rows written in fixed blocks on all threads, straight into flat memory.
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -46,20 +47,34 @@ char* writeRaw(char* out, T value) {
 /// order whatever the number of threads.
 template <class Bound, class Write>
 void appendBlocks(std::string& text, std::size_t count, const Bound& bound, const Write& write) {
-  constexpr std::size_t kRows = 1 << 14;
-  std::vector<std::string> parts((count + kRows - 1) / kRows);
-  parallelBlocks(count, kRows, [&](std::size_t begin, std::size_t end) {
-    std::string& part = parts[begin / kRows];
-    part.resize(bound(begin, end));
-    part.resize(static_cast<std::size_t>(write(begin, end, part.data()) - part.data()));
-  });
-  std::size_t size = text.size();
-  for (const std::string& part : parts) size += part.size();
-  text.reserve(size);
-  for (std::string& part : parts) {
-    text += part;
-    std::string().swap(part);
+  constexpr std::size_t kRows = 1 << 12, kBlocksAtOnce = 32;
+  struct Part {
+    std::string bytes;
+    std::size_t used = 0;
+  };
+  // Fresh memory is what costs most, so the parts are used over and over.
+  std::vector<Part> parts(kBlocksAtOnce);
+  for (std::size_t first = 0; first < count; first += kRows * kBlocksAtOnce) {
+    const std::size_t last = std::min(first + kRows * kBlocksAtOnce, count);
+    parallelBlocks(last - first, kRows, [&](std::size_t begin, std::size_t end) {
+      Part& part = parts[begin / kRows];
+      const std::size_t most = bound(first + begin, first + end);
+      if (part.bytes.size() < most) part.bytes.resize(most);
+      char* const start = part.bytes.data();
+      part.used = static_cast<std::size_t>(write(first + begin, first + end, start) - start);
+    });
+    for (Part& part : parts) {
+      text.append(part.bytes, 0, part.used);
+      part.used = 0;
+    }
   }
+}
+
+/// Digits of the largest number below `count`, for estimates.
+inline std::size_t digitsOf(std::size_t count) {
+  std::size_t digits = 1;
+  for (; count > 10; count /= 10) ++digits;
+  return digits;
 }
 
 }  // namespace chartflood

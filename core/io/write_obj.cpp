@@ -26,9 +26,11 @@ class ObjWriter {
       textureBegin_.push_back(m_.uv(c).empty() ? 0 : next);
       next += m_.uv(c).size();
     }
+    textureCount_ = next - 1;
   }
 
   std::string write() {
+    reserve();
     appendObjVertices(text_, input_.positions);
     for (std::size_t c = 0; c < m_.chartCount(); ++c) writeTexture(m_.uv(c));
     writeFaces();
@@ -36,6 +38,7 @@ class ObjWriter {
   }
 
  private:
+  void reserve();
   void writeTexture(std::span<const glm::dvec2> uv);
   void writeFaces();
   bool switches(std::size_t face) const;
@@ -47,8 +50,17 @@ class ObjWriter {
   ChartPlaces places_;
   bool materials_;
   std::vector<std::size_t> textureBegin_;  ///< first `vt` of each chart, from 1; 0: none
+  std::size_t textureCount_ = 0;
   std::string text_;
 };
+
+/// Room for nearly everything, so that the text seldom moves; what stays unused costs nothing.
+void ObjWriter::reserve() {
+  const std::size_t corner =
+      digitsOf(input_.positions.size()) + 1 + (textureCount_ > 0 ? digitsOf(textureCount_) + 1 : 0);
+  text_.reserve(65 * input_.positions.size() + 45 * textureCount_ + corner * input_.corners.size() +
+                2 * input_.faceCount() + 4096);
+}
 
 void ObjWriter::writeTexture(std::span<const glm::dvec2> uv) {
   const auto bound = [](std::size_t begin, std::size_t end) {

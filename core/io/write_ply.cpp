@@ -49,6 +49,10 @@ class PlyWriter {
 
   std::string write() {
     writeHeader();
+    const std::size_t vertex = (singlePrecision_ ? 12 : 24) + (split_ ? 8 : 0);
+    bytes_.reserve(bytes_.size() + vertex * vertexCount() +
+                   (hasTexture_ ? 12 : 4) * input_.corners.size() +
+                   (wideCounts_ ? 12 : 6) * input_.faceCount());
     writeVertices();
     writeFaces();
     return std::move(bytes_);
