@@ -100,25 +100,26 @@ void Pipeline::reviseSeeds(const Document& before) {
   }
 }
 
-void Pipeline::apply(const Document& document, bool live, Progress& progress) {
+bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   const Document before = std::exchange(document_, document);
   Stage stage = Stage::Layout;
   const bool changed = firstDifference(before.parameters, document.parameters, stage);
-  if (!mesh_ || (!changed && before.seeds == document.seeds)) return;
+  if (!mesh_ || (!changed && before.seeds == document.seeds)) return false;
   // What comes after the labels leaves them as they are.
-  if (stage >= Stage::Cut && before.seeds == document.seeds) return;
+  if (stage >= Stage::Cut && before.seeds == document.seeds) return false;
   const bool hadCharts = stepper_ != nullptr || segmentation_ != nullptr;
   const bool keepFinal = finished() && before.seeds == document.seeds && stage >= Stage::Iterations;
   reviseSeeds(before);
   stepper_.reset();
   if (changed && stage <= Stage::Gauss) makeGaussArea(progress);
   if (changed && stage <= Stage::Graph) makeGraph(progress);
-  if (!hadCharts || !live) return;
+  if (!hadCharts || !live) return true;
   // Where only later stages changed, the finished charts are finished again in the new way.
   makeStepper(keepFinal ? 1 : static_cast<std::size_t>(document.parameters.maxIterations));
   const Clock::time_point start = Clock::now();
   stepper_->advance(keepFinal ? StepUnit::Converged : StepUnit::Flood, 1, progress);
   timing_.segment = millisecondsSince(start);
+  return true;
 }
 
 void Pipeline::makeStepper(std::size_t maxIterations) {

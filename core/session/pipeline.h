@@ -32,8 +32,9 @@ class Pipeline {
   void setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds, Progress& progress);
 
   /// Takes new values and brings Gauss area and flood graph up to date. With `live`, when there are
-  /// charts, they are flooded once more from the present seeds.
-  void apply(const Document& document, bool live, Progress& progress);
+  /// charts, they are flooded once more from the present seeds. False when labels and Gauss areas
+  /// stay as they are.
+  bool apply(const Document& document, bool live, Progress& progress);
 
   StepOutcome step(StepUnit unit, std::size_t count, Progress& progress);
   void restartFlood();

@@ -76,8 +76,8 @@ class Session::Engine {
     queue_.cancel(JobQueue::Kind::Apply);
     queue_.cancel(JobQueue::Kind::Unwrap);
     add(JobQueue::Kind::Apply, [this, document, live](Progress& progress) {
-      pipeline_.apply(document, live, progress);
-      publish(!pipeline_.stale());
+      const bool changed = pipeline_.apply(document, live, progress);
+      publish(changed && !pipeline_.stale());
       if (live) unwrapWhenDue();
     });
   }

@@ -49,7 +49,7 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
         info.member);
   }
   const Parameters defaults;
-  EXPECT_EQ(parameterTable().size(), 18u);
+  EXPECT_EQ(parameterTable().size(), 27u);
   EXPECT_NE(changed.method, defaults.method);
   EXPECT_NE(changed.charts, defaults.charts);
   EXPECT_NE(changed.sharpAngle, defaults.sharpAngle);
@@ -58,6 +58,15 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
   EXPECT_NE(changed.offsetDamping, defaults.offsetDamping);
   EXPECT_NE(changed.offsets, defaults.offsets);
   EXPECT_NE(changed.lookahead, defaults.lookahead);
+  EXPECT_NE(changed.cutHandles, defaults.cutHandles);
+  EXPECT_NE(changed.cutLoops, defaults.cutLoops);
+  EXPECT_NE(changed.cutTips, defaults.cutTips);
+  EXPECT_NE(changed.tip, defaults.tip);
+  EXPECT_NE(changed.reliefStretch, defaults.reliefStretch);
+  EXPECT_NE(changed.unwrap, defaults.unwrap);
+  EXPECT_NE(changed.layout, defaults.layout);
+  EXPECT_NE(changed.textureSize, defaults.textureSize);
+  EXPECT_NE(changed.margin, defaults.margin);
   EXPECT_NE(changed.areaShare, defaults.areaShare);
   EXPECT_NE(changed.rngSeed, defaults.rngSeed);
   EXPECT_NE(changed.maxIterations, defaults.maxIterations);
