@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kProximal = 1e-6;       // of a second derivative of about 4 a vertex
 constexpr double kSafeShare = 0.8;       // of the step at which a triangle would vanish
-constexpr double kCrossingSlack = 1e-5;
 constexpr int kHoldBacks = 6;            // solves of one step with more weight on crossing vertices
 constexpr double kHoldFactor = 30, kLeastHold = 1e-2, kHoldDecay = 0.3;
+constexpr double kLeastDamping = 1e-12;
 constexpr int kHalvings = 30;
 constexpr double kFar = 1.3;             // energy from which reweighted steps are better
 
@@ -42,7 +42,7 @@ class Descent {
       double length = std::min(1.0, kSafeShare * largestStep(shape_.rest, uv_, direction_));
       if (guard_ && attempt < kHoldBacks) {
         move(length);
-        if (findCrossings(shape_.boundary, trial_, kCrossingSlack, crossing_)) {
+        if (findCrossings(shape_.boundary, trial_, Contact::Any, crossing_)) {
           holdBack();
           continue;
         }
@@ -57,7 +57,13 @@ class Descent {
     std::fill(gradient_.begin(), gradient_.end(), glm::dvec2(0));
     addIsometricModel(shape_.rest, uv_, model, system_, gradient_);
     for (Index v = 0; v < uv_.size(); ++v) system_.addDiagonal(v, glm::dmat2(hold_[v]));
-    if (!system_.factor()) return false;
+    // Where triangles have almost collapsed, rounding can take definiteness away.
+    double damping = kLeastDamping;
+    while (!system_.factor()) {
+      if (damping > 1) return false;
+      system_.damp(damping);
+      damping *= 100;
+    }
     for (std::size_t v = 0; v < uv_.size(); ++v) direction_[v] = -gradient_[v];
     system_.solve(direction_);
     return true;
@@ -87,7 +93,7 @@ class Descent {
       move(length);
       const double energy = isometricEnergy(shape_.rest, trial_);
       if (!(energy < energy_ + 1e-4 * length * slope)) continue;
-      if (guard_ && findCrossings(shape_.boundary, trial_, kCrossingSlack, crossing_)) continue;
+      if (guard_ && findCrossings(shape_.boundary, trial_, Contact::Any, crossing_)) continue;
       uv_.swap(trial_);
       energy_ = energy;
       for (double& hold : hold_) hold = std::max(kProximal, hold * kHoldDecay);

@@ -30,6 +30,11 @@ glm::dvec2 apply(const Complex& a, const glm::dvec2& x) {
 }
 glm::dvec2 apply(const glm::dmat2& a, const glm::dvec2& x) { return a * x; }
 
+// A number that an entry counts for when it is made larger.
+double sizeOf(double a) { return a; }
+double sizeOf(const Complex& a) { return a.real(); }
+double sizeOf(const glm::dmat2& a) { return a[0][0] + a[1][1]; }
+
 /// False when a pivot is not positive definite.
 bool invert(double pivot, double& inverse) {
   inverse = 1 / pivot;
@@ -71,6 +76,11 @@ void SparseLdl<Entry>::clear() {
 template <class Entry>
 void SparseLdl<Entry>::addSide(Index side, const Entry& value) {
   upper_[pattern_.sideSlot[side]] += pattern_.sideTurned[side] ? adjoint(value) : value;
+}
+
+template <class Entry>
+void SparseLdl<Entry>::damp(double share) {
+  for (Entry& entry : diagonal_) entry += Entry(share * sizeOf(entry));
 }
 
 /// One row of L from those above it (Davis 2005, "Algorithm 849").

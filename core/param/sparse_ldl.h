@@ -47,6 +47,8 @@ class SparseLdl {
   /// Adds to the entry in the row of the side's start and the column of its end, and the adjoint to
   /// its mirror.
   void addSide(Index side, const Entry& value);
+  /// Adds `share` of its size to each diagonal entry.
+  void damp(double share);
   /// False, and nothing to solve with, when the matrix is not positive definite.
   /// Cost: about 1 us a triangle for numbers, 3 for matrices, at 10,000 triangles.
   bool factor();

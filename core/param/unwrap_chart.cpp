@@ -17,9 +17,9 @@ constexpr std::size_t kMostReliefCuts = 8;
 constexpr double kDeepEnough = 0.1;  // of the greatest distance from the boundary
 
 std::vector<glm::dvec2> flatten(const ChartShape& shape, UnwrapOptions::Boundary boundary,
-                                const Progress& progress) {
+                                const std::vector<glm::dvec2>& before, const Progress& progress) {
   if (boundary == UnwrapOptions::Boundary::Free) {
-    std::vector<glm::dvec2> uv = freeMap(shape, progress);
+    std::vector<glm::dvec2> uv = freeMap(shape, before, progress);
     if (!uv.empty()) return uv;
   } else {
     std::vector<glm::dvec2> uv = circleMap(shape, CircleWeights::Conformal);
@@ -51,6 +51,17 @@ Index reliefVertex(const ChartSurface& surface, std::span<const TriangleDistorti
   return best;
 }
 
+/// The places of a surface's vertices after a cut gave some of them copies.
+/// \param triangles of the surface before the cut
+std::vector<glm::dvec2> carriedOver(std::span<const std::array<Index, 3>> triangles,
+                                    std::span<const glm::dvec2> uv, const ChartSurface& cut) {
+  std::vector<glm::dvec2> places(cut.vertexCount());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) places[cut.triangles[t][i]] = uv[triangles[t][i]];
+  }
+  return places;
+}
+
 }  // namespace
 
 FlatChart unwrapChart(CutChart& chart, const UnwrapOptions& options, const Progress& progress) {
@@ -59,9 +70,10 @@ FlatChart unwrapChart(CutChart& chart, const UnwrapOptions& options, const Progr
     flat.chart.problem = chart.problem;
     return flat;
   }
+  std::vector<glm::dvec2> before;
   for (std::size_t cuts = 0; !progress.cancelled(); ++cuts) {
     const ChartShape shape(chart.surface);
-    flat.chart.uv = flatten(shape, options.boundary, progress);
+    flat.chart.uv = flatten(shape, options.boundary, before, progress);
     if (progress.cancelled()) break;
     if (flat.chart.uv.empty()) {
       flat.chart.problem = "not laid flat: the equations could not be solved";
@@ -73,7 +85,9 @@ FlatChart unwrapChart(CutChart& chart, const UnwrapOptions& options, const Progr
     if (options.reliefStretch <= 0 || cuts == kMostReliefCuts) break;
     if (!(flat.chart.distortion.l2 > options.reliefStretch)) break;
     const Index vertex = reliefVertex(chart.surface, flat.triangles);
+    const auto triangles = chart.surface.triangles;
     if (vertex == kNone || !cutToBoundary(chart, vertex, CutReason::Relief)) break;
+    before = carriedOver(triangles, flat.chart.uv, chart.surface);
   }
   return flat;
 }
