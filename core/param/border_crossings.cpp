@@ -65,7 +65,9 @@ class Grid {
     return std::span(segments_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
   const glm::dvec2& start(std::size_t i) const { return uv_[loop_[i]]; }
-  const glm::dvec2& end(std::size_t i) const { return uv_[loop_[i + 1 == loop_.size() ? 0 : i + 1]]; }
+  const glm::dvec2& end(std::size_t i) const {
+    return uv_[loop_[i + 1 == loop_.size() ? 0 : i + 1]];
+  }
 
  private:
   template <class Visit>

@@ -3,12 +3,8 @@
 #include "core/param/border_crossings.h"
 #include "core/param/circle_map.h"
 #include "core/param/free_start.h"
-#include "core/param/isometric_energy.h"
 #include "core/param/isometric_map.h"
-#include <limits>
 #include "core/param/part_slits.h"
-#include <cstdio>
-#include <cstdlib>
 
 namespace chartflood {
 
@@ -22,22 +18,6 @@ std::vector<glm::dvec2> directStart(const ChartShape& shape, const Progress& pro
   if (uv.empty() || !localGlobalSteps(shape, 12, progress, uv)) return {};
   if (!scaleToUnitArea(shape.rest, uv) || !allPositive(shape.rest, uv)) return {};
   return uv;
-}
-
-/// A start that never overlaps.
-std::vector<glm::dvec2> circleStart(const ChartShape& shape) {
-  std::vector<glm::dvec2> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const CircleWeights weights : {CircleWeights::Conformal, CircleWeights::Uniform}) {
-    std::vector<glm::dvec2> uv = circleMap(shape, weights);
-    if (uv.empty()) continue;
-    const double energy = isometricEnergy(shape.rest, uv);
-    if(getenv("DEBUG")) printf("  circle start %g\n",energy);
-    if (!(energy < least)) continue;
-    least = energy;
-    best = std::move(uv);
-  }
-  return best;
 }
 
 bool simpleBoundary(const ChartShape& shape, const std::vector<glm::dvec2>& uv, Contact contact) {
@@ -68,15 +48,13 @@ std::vector<glm::dvec2> freeMap(const ChartShape& shape, const std::vector<glm::
                                 const Progress& progress) {
   std::vector<glm::dvec2> uv = directMap(shape, progress);
   if (!uv.empty() || progress.cancelled()) return uv;
-  if (getenv("DEBUG")) printf("  guarded\n");
   if (!before.empty()) {
     uv = before;
     if (scaleToUnitArea(shape.rest, uv) && partSlits(shape, uv) && allPositive(shape.rest, uv)) {
       return guardedMap(shape, std::move(uv), progress);
     }
-  if (getenv("DEBUG")) printf("  before fails\n");
   }
-  uv = circleStart(shape);
+  uv = bestCircleMap(shape);
   if (uv.empty()) return {};
   return guardedMap(shape, std::move(uv), progress);
 }

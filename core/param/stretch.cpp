@@ -17,8 +17,8 @@ constexpr double kLargest = 1e15;     // where a ratio of a vanishing triangle e
 double spaceArea(const ChartSurface& surface, std::size_t triangle) {
   const auto& t = surface.triangles[triangle];
   const glm::dvec3& origin = surface.positions[t[0]];
-  return 0.5 * glm::length(glm::cross(surface.positions[t[1]] - origin,
-                                      surface.positions[t[2]] - origin));
+  return 0.5 * glm::length(
+                   glm::cross(surface.positions[t[1]] - origin, surface.positions[t[2]] - origin));
 }
 
 /// Areas of the chart that its triangles are compared with.
@@ -48,10 +48,10 @@ TriangleDistortion distortionOf(const std::array<glm::dvec3, 3>& q,
                                 double spaceArea, double factor) {
   // Partial derivatives of the map from the plane to space (Sander 2001, section 3).
   const double half = 0.5 / planeArea;
-  const glm::dvec3 s = half * (q[0] * (p[1].y - p[2].y) + q[1] * (p[2].y - p[0].y) +
-                               q[2] * (p[0].y - p[1].y));
-  const glm::dvec3 t = half * (q[0] * (p[2].x - p[1].x) + q[1] * (p[0].x - p[2].x) +
-                               q[2] * (p[1].x - p[0].x));
+  const glm::dvec3 s =
+      half * (q[0] * (p[1].y - p[2].y) + q[1] * (p[2].y - p[0].y) + q[2] * (p[0].y - p[1].y));
+  const glm::dvec3 t =
+      half * (q[0] * (p[2].x - p[1].x) + q[1] * (p[0].x - p[2].x) + q[2] * (p[1].x - p[0].x));
   const double a = glm::dot(s, s), c = glm::dot(t, t);
   const double product = spaceArea / planeArea;  // of the singular values
   // (s1 + s2)^2 and (s1 - s2)^2; rounding may take the second below 0.
@@ -82,9 +82,9 @@ std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
     const double space = spaceArea(surface, t);
     // Below this share a triangle has no shape that could be measured.
     if (std::isfinite(factor) && factor > 0 && space > 1e-15 * areas.space / count) {
-      result[t] = distortionOf(
-          {surface.positions[v[0]], surface.positions[v[1]], surface.positions[v[2]]}, p,
-          std::max(std::abs(plane), least), space, factor);
+      result[t] =
+          distortionOf({surface.positions[v[0]], surface.positions[v[1]], surface.positions[v[2]]},
+                       p, std::max(std::abs(plane), least), space, factor);
     }
     result[t].flipped = plane != 0 && (plane < 0) != areas.clockwise;
   }
