@@ -68,6 +68,12 @@ TriangleDistortion distortionOf(const std::array<glm::dvec3, 3>& q,
 
 }  // namespace
 
+double surfaceArea(const ChartSurface& surface) {
+  double sum = 0;
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t) sum += spaceArea(surface, t);
+  return sum;
+}
+
 std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
                                                    std::span<const glm::dvec2> uv) {
   std::vector<TriangleDistortion> result(surface.triangleCount());

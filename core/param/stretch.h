@@ -12,6 +12,9 @@
 
 namespace chartflood {
 
+/// Area of a chart in space, squared normalised units.
+double surfaceArea(const ChartSurface& surface);
+
 /// Distortion of one triangle of a chart, compared with the chart as a whole: 1 is none.
 struct TriangleDistortion {
   double l2 = 1;         ///< root mean square stretch over all directions

@@ -56,7 +56,10 @@ Attempt measured(const ChartShape& shape, std::vector<glm::dvec2> places) {
     attempt.flat.chart.problem = "Its equations have no solution, so it is not laid flat.";
     return attempt;
   }
-  for (glm::dvec2& p : uv) p *= shape.rest.unit;
+  // A chart without area in space keeps that of the thin triangles that stand in for its own.
+  const double area = surfaceArea(surface);
+  const double unit = area > 0 ? std::sqrt(area) : shape.rest.unit;
+  for (glm::dvec2& p : uv) p *= unit;
   attempt.bad = badTriangles(surface, uv);
   attempt.flat.triangles = triangleDistortion(surface, uv);
   attempt.flat.chart.distortion = chartDistortion(surface, attempt.flat.triangles);
