@@ -11,7 +11,7 @@ namespace {
 
 /// Thinnest triangle, as height over its longest edge; below it Newton steps of all others would
 /// have to follow the sliver.
-constexpr double kLeastHeight = 1e-3;
+constexpr double kLeastHeight = 1e-4;
 /// Shortest longest edge of a triangle, over the mean edge of the chart.
 constexpr double kLeastEdge = 1e-2;
 constexpr double kSturdyHeight = 1e-7;

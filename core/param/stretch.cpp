@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/charts/chart_surface.h"
 #include "core/param/rest_shape.h"
 
 namespace chartflood {
@@ -19,6 +20,15 @@ double spaceArea(const ChartSurface& surface, std::size_t triangle) {
   const glm::dvec3& origin = surface.positions[t[0]];
   return 0.5 * glm::length(
                    glm::cross(surface.positions[t[1]] - origin, surface.positions[t[2]] - origin));
+}
+
+/// False for a triangle that is degenerate as a Mesh says it: nothing about it can be measured.
+bool hasShape(const ChartSurface& surface, std::size_t triangle, double area) {
+  double longest = 0;
+  for (Index i = 0; i < 3; ++i) {
+    longest = std::max(longest, sideLength(surface, static_cast<Index>(3 * triangle + i)));
+  }
+  return 2 * area > 1e-10 * longest * longest;
 }
 
 /// Areas of the chart that its triangles are compared with.
@@ -86,8 +96,7 @@ std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
     const std::array<glm::dvec2, 3> p{uv[v[0]], uv[v[1]], uv[v[2]]};
     const double plane = signedArea(p[0], p[1], p[2]);
     const double space = spaceArea(surface, t);
-    // Below this share a triangle has no shape that could be measured.
-    if (std::isfinite(factor) && factor > 0 && space > 1e-15 * areas.space / count) {
+    if (std::isfinite(factor) && factor > 0 && hasShape(surface, t, space)) {
       result[t] =
           distortionOf({surface.positions[v[0]], surface.positions[v[1]], surface.positions[v[2]]},
                        p, std::max(std::abs(plane), least), space, factor);
