@@ -1,9 +1,11 @@
 #pragma once
 /// Cuts charts until each is a disk (paper section 3.6).
 
+#include <cstdint>
 #include <memory>
 
 #include "core/base/progress.h"
+#include "core/charts/handle_cutter.h"
 #include "core/model/chart_set.h"
 #include "core/model/mesh.h"
 #include "core/model/segmentation.h"
@@ -14,7 +16,10 @@ struct CutOptions {
   bool handles = true;  ///< HandleCutter
   bool loops = true;    ///< LoopMergeCutter, and opening of closed charts
   bool tips = true;     ///< slits long fingers
-  double tip = 0.5;  ///< least distance of a tip from the boundary, in lengths of the boundary loop
+  double tip = 0.5;     ///< least distance of a tip from the boundary, in lengths of the boundary
+                        ///< loop; above 0
+  HandleSearch handleSearch = HandleSearch::Shortest;
+  std::uint32_t seed = 1;  ///< of the faces from which wavefronts grow
 
   bool operator==(const CutOptions&) const = default;
 };
