@@ -5,22 +5,30 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace chartflood {
 
 namespace {
+
+constexpr double kDeep = 1e-5;
 
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 bool cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d,
-           double slack) {
+           Contact contact) {
   const double abc = turn(a, b, c), abd = turn(a, b, d), cda = turn(c, d, a), cdb = turn(c, d, b);
-  if (!(abc * abd < 0 && cda * cdb < 0)) return false;
-  const double least = slack * glm::distance(a, b) * glm::distance(c, d);
-  return std::abs(abc) > least && std::abs(abd) > least && std::abs(cda) > least &&
-         std::abs(cdb) > least;
+  if (abc * abd > 0 || cda * cdb > 0) return false;
+  if (contact == Contact::Any) {
+    // On one line they may still be apart.
+    if (abc != 0 || abd != 0) return true;
+    return glm::all(glm::lessThanEqual(glm::max(glm::min(a, b), glm::min(c, d)),
+                                       glm::min(glm::max(a, b), glm::max(c, d))));
+  }
+  const double least = kDeep * glm::distance(a, b) * glm::distance(c, d);
+  return std::min({std::abs(abc), std::abs(abd), std::abs(cda), std::abs(cdb)}) > least;
 }
 
 double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
@@ -57,7 +65,9 @@ class Grid {
     return std::span(segments_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
   const glm::dvec2& start(std::size_t i) const { return uv_[loop_[i]]; }
-  const glm::dvec2& end(std::size_t i) const { return uv_[loop_[i + 1 == loop_.size() ? 0 : i + 1]]; }
+  const glm::dvec2& end(std::size_t i) const {
+    return uv_[loop_[i + 1 == loop_.size() ? 0 : i + 1]];
+  }
 
  private:
   template <class Visit>
@@ -95,7 +105,7 @@ class Grid {
 
 }  // namespace
 
-bool findCrossings(std::span<const Index> loop, std::span<const glm::dvec2> uv, double slack,
+bool findCrossings(std::span<const Index> loop, std::span<const glm::dvec2> uv, Contact contact,
                    std::vector<bool>& crossing) {
   crossing.assign(loop.size(), false);
   if (loop.size() < 4) return false;
@@ -107,7 +117,7 @@ bool findCrossings(std::span<const Index> loop, std::span<const glm::dvec2> uv, 
       for (std::size_t j = i + 1; j < cell.size(); ++j) {
         const Index a = cell[i], b = cell[j];  // ascending
         if (b - a == 1 || (a == 0 && b + 1 == loop.size())) continue;
-        if (!cross(grid.start(a), grid.end(a), grid.start(b), grid.end(b), slack)) continue;
+        if (!cross(grid.start(a), grid.end(a), grid.start(b), grid.end(b), contact)) continue;
         crossing[a] = crossing[b] = any = true;
       }
     }
@@ -120,7 +130,7 @@ bool findTouches(std::span<const Index> loop, std::span<const glm::dvec2> uv, do
   const std::size_t n = loop.size();
   std::vector<bool> crossing;
   touching.assign(n, false);
-  bool any = findCrossings(loop, uv, 0, crossing);
+  bool any = findCrossings(loop, uv, Contact::Any, crossing);
   for (std::size_t i = 0; i < n; ++i) {
     if (crossing[i]) touching[i] = touching[i + 1 == n ? 0 : i + 1] = true;
   }

@@ -6,9 +6,7 @@
 namespace chartflood {
 
 ChartShape::ChartShape(const ChartSurface& chart)
-    : surface(chart),
-      rest(chart),
-      pattern(chart.triangles, chart.vertexCount()),
+    : surface(chart), rest(chart), pattern(chart.triangles, chart.vertexCount()),
       onBoundary(chart.vertexCount(), false) {
   const auto loops = boundaryLoops(chart);
   CF_CHECK(loops.size() == 1);

@@ -16,8 +16,8 @@ struct ChartShape {
   const ChartSurface& surface;
   RestShape rest;
   SparsePattern pattern;
-  std::vector<Index> boundary;     ///< vertices around the boundary, counter-clockwise
-  std::vector<bool> onBoundary;    ///< of each vertex
+  std::vector<Index> boundary;   ///< vertices around the boundary, counter-clockwise
+  std::vector<bool> onBoundary;  ///< of each vertex
 };
 
 }  // namespace chartflood

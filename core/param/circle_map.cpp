@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <glm/geometric.hpp>
+
+#include "core/param/isometric_energy.h"
+#include "core/param/isometric_map.h"
 
 namespace chartflood {
 
 namespace {
 
-constexpr double kLeastArc = 1e-2;        // over the mean arc
-constexpr double kLeastWeight = 1e-4;     // keeps weights positive
+constexpr double kLeastArc = 1e-2;     // over the mean arc
+constexpr double kLeastWeight = 1e-4;  // keeps weights positive
 constexpr double kLargestCotangent = 1e4;
+constexpr int kSturdySteps = 30;
 
 /// Boundary vertices on the unit circle, the others at the origin.
 std::vector<glm::dvec2> boundaryOnCircle(const ChartShape& shape) {
@@ -85,6 +90,31 @@ std::vector<glm::dvec2> circleMap(const ChartShape& shape, CircleWeights kind) {
   system.solve(x);
   if (!scaleToUnitArea(shape.rest, x)) return {};
   return x;
+}
+
+std::vector<glm::dvec2> bestCircleMap(const ChartShape& shape) {
+  std::vector<glm::dvec2> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const CircleWeights weights : {CircleWeights::Conformal, CircleWeights::Uniform}) {
+    std::vector<glm::dvec2> uv = circleMap(shape, weights);
+    if (uv.empty()) continue;
+    const double energy = isometricEnergy(shape.rest, uv);
+    if (!(energy < least)) continue;
+    least = energy;
+    best = std::move(uv);
+  }
+  return best;
+}
+
+std::vector<glm::dvec2> sturdyCircleMap(const ChartShape& shape, const Progress& progress) {
+  std::vector<glm::dvec2> uv = bestCircleMap(shape);
+  if (uv.empty()) return {};
+  for (int step = 0; step < kSturdySteps; ++step) {
+    minimiseIsometric(shape, {.steps = 1, .tolerance = 0, .fixBoundary = true}, progress, uv);
+    if (sturdy(shape.rest, uv)) return uv;
+    if (progress.cancelled()) break;
+  }
+  return {};
 }
 
 }  // namespace chartflood

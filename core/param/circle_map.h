@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "core/base/progress.h"
 #include "core/param/chart_shape.h"
 
 namespace chartflood {
@@ -20,5 +21,13 @@ enum class CircleWeights {
 /// Positive weights and a convex boundary exclude flips but for rounding (Floater 1997). Scaled to
 /// area 1. \return empty when the system cannot be solved or the result is not finite
 std::vector<glm::dvec2> circleMap(const ChartShape& shape, CircleWeights weights);
+
+/// The circle map with the least isometric energy that has no flips; empty when there is none.
+std::vector<glm::dvec2> bestCircleMap(const ChartShape& shape);
+
+/// Moves the inside of a circle map away from conformal until its triangles are sturdy: where a
+/// long finger shrinks to nothing, its triangles would flip when places are rounded. \return empty
+/// when that cannot be reached
+std::vector<glm::dvec2> sturdyCircleMap(const ChartShape& shape, const Progress& progress);
 
 }  // namespace chartflood

@@ -10,7 +10,10 @@
 
 namespace chartflood {
 
-/// Scaled to area 1. \return empty when cancelled, or when no map without flips was found
-std::vector<glm::dvec2> freeMap(const ChartShape& shape, const Progress& progress);
+/// Area about 1. Starts from a conformal map; where that leads to flips or overlap, from `before`
+/// (the map of the chart before its last cut, or empty) and failing that from a circle.
+/// \return empty when cancelled, or when no map without flips was found
+std::vector<glm::dvec2> freeMap(const ChartShape& shape, const std::vector<glm::dvec2>& before,
+                                const Progress& progress);
 
 }  // namespace chartflood

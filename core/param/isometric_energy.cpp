@@ -20,9 +20,7 @@ Complex unitOf(const Complex& z) {
 glm::dvec2 times(const Complex& a, const glm::dvec2& x) {
   return {a.real() * x.x - a.imag() * x.y, a.real() * x.y + a.imag() * x.x};
 }
-glm::dvec2 timesConjugate(const Complex& a, const glm::dvec2& x) {
-  return times(a, {x.x, -x.y});
-}
+glm::dvec2 timesConjugate(const Complex& a, const glm::dvec2& x) { return times(a, {x.x, -x.y}); }
 glm::dvec2 quarterTurn(const glm::dvec2& x) { return {-x.y, x.x}; }
 
 /// Row times column; glm's matrices list columns.

@@ -20,7 +20,8 @@ double isometricEnergy(const RestShape& rest, std::span<const glm::dvec2> uv);
 
 /// Quadratic model that a step minimises.
 enum class StepModel {
-  /// The nearest rotation of each triangle with weights that give the energy's gradient (Rabinovich,
+  /// The nearest rotation of each triangle with weights that give the energy's gradient
+  /// (Rabinovich,
   /// Poranne, Panozzo, Sorkine-Hornung 2017, "Scalable locally injective mappings"): large steps
   /// from far away, but slow near the end.
   Reweighted,

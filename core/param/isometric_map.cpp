@@ -5,33 +5,25 @@
 
 #include "core/param/border_crossings.h"
 #include "core/param/isometric_energy.h"
-#include <cstdio>
-#include <cstdlib>
 
 namespace chartflood {
 
 namespace {
 
-constexpr double kProximal = 1e-6;       // of a second derivative of about 4 a vertex
-constexpr double kSafeShare = 0.8;       // of the step at which a triangle would vanish
-constexpr double kCrossingSlack = 1e-5;
-constexpr int kHoldBacks = 6;            // solves of one step with more weight on crossing vertices
+constexpr double kProximal = 1e-6;  // of a second derivative of about 4 a vertex
+constexpr double kSafeShare = 0.8;  // of the step at which a triangle would vanish
+constexpr int kHoldBacks = 6;       // solves of one step with more weight on crossing vertices
 constexpr double kHoldFactor = 30, kLeastHold = 1e-2, kHoldDecay = 0.3;
+constexpr double kLeastDamping = 1e-12;
 constexpr int kHalvings = 30;
-constexpr double kFar = 1.3;             // energy from which reweighted steps are better
+constexpr double kFar = 1.3;  // energy from which reweighted steps are better
 
 class Descent {
  public:
-  Descent(const ChartShape& shape, bool guard, std::vector<glm::dvec2>& uv)
-      : shape_(shape),
-        guard_(guard),
-        uv_(uv),
-        system_(shape.pattern),
-        hold_(uv.size(), kProximal),
-        gradient_(uv.size()),
-        direction_(uv.size()),
-        trial_(uv.size()),
-        energy_(isometricEnergy(shape.rest, uv)) {}
+  Descent(const ChartShape& shape, const IsometricOptions& options, std::vector<glm::dvec2>& uv)
+      : shape_(shape), guard_(options.guardBoundary), fix_(options.fixBoundary), uv_(uv),
+        system_(shape.pattern), hold_(uv.size(), kProximal), gradient_(uv.size()),
+        direction_(uv.size()), trial_(uv.size()), energy_(isometricEnergy(shape.rest, uv)) {}
 
   double energy() const { return energy_; }
 
@@ -42,7 +34,7 @@ class Descent {
       double length = std::min(1.0, kSafeShare * largestStep(shape_.rest, uv_, direction_));
       if (guard_ && attempt < kHoldBacks) {
         move(length);
-        if (findCrossings(shape_.boundary, trial_, kCrossingSlack, crossing_)) {
+        if (findCrossings(shape_.boundary, trial_, Contact::Any, crossing_)) {
           holdBack();
           continue;
         }
@@ -57,7 +49,17 @@ class Descent {
     std::fill(gradient_.begin(), gradient_.end(), glm::dvec2(0));
     addIsometricModel(shape_.rest, uv_, model, system_, gradient_);
     for (Index v = 0; v < uv_.size(); ++v) system_.addDiagonal(v, glm::dmat2(hold_[v]));
-    if (!system_.factor()) return false;
+    if (fix_) {
+      system_.fix(shape_.onBoundary);
+      for (const Index v : shape_.boundary) gradient_[v] = glm::dvec2(0);
+    }
+    // Where triangles have almost collapsed, rounding can take definiteness away.
+    double damping = kLeastDamping;
+    while (!system_.factor()) {
+      if (damping > 1) return false;
+      system_.damp(damping);
+      damping *= 100;
+    }
     for (std::size_t v = 0; v < uv_.size(); ++v) direction_[v] = -gradient_[v];
     system_.solve(direction_);
     return true;
@@ -87,7 +89,7 @@ class Descent {
       move(length);
       const double energy = isometricEnergy(shape_.rest, trial_);
       if (!(energy < energy_ + 1e-4 * length * slope)) continue;
-      if (guard_ && findCrossings(shape_.boundary, trial_, kCrossingSlack, crossing_)) continue;
+      if (guard_ && findCrossings(shape_.boundary, trial_, Contact::Any, crossing_)) continue;
       uv_.swap(trial_);
       energy_ = energy;
       for (double& hold : hold_) hold = std::max(kProximal, hold * kHoldDecay);
@@ -97,7 +99,7 @@ class Descent {
   }
 
   const ChartShape& shape_;
-  bool guard_;
+  bool guard_, fix_;
   std::vector<glm::dvec2>& uv_;
   SparseLdl<glm::dmat2> system_;
   std::vector<double> hold_;  // proximal weight of each vertex
@@ -110,13 +112,11 @@ class Descent {
 
 double minimiseIsometric(const ChartShape& shape, const IsometricOptions& options,
                          const Progress& progress, std::vector<glm::dvec2>& uv) {
-  Descent descent(shape, options.guardBoundary, uv);
-  static const bool debug = getenv("DEBUG") != nullptr;
+  Descent descent(shape, options, uv);
   // Reweighted steps as long as each takes half of the way to an isometry.
   StepModel model = descent.energy() > kFar ? StepModel::Reweighted : StepModel::Newton;
   for (int step = 0; step < options.steps && !progress.cancelled(); ++step) {
     const double before = descent.energy();
-    if (debug) printf("    step %d energy %.6g %d\n", step, before,(int)model);
     const bool moved = descent.step(model);
     const double fall = before - descent.energy();
     if (model == StepModel::Reweighted) {

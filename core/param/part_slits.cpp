@@ -11,10 +11,10 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kTouch = 1e-3;    // distance, over the shorter boundary edge, that counts as none
-constexpr double kPull = 1e-2;     // way of a vertex, over its shortest edge, in the first pass
-constexpr int kPasses = 5;         // each pulls twice as far as the one before
-constexpr double kLeastLeft = 0.5; // share of its area that a triangle keeps
+constexpr double kTouch = 1e-3;     // distance, over the shorter boundary edge, that counts as none
+constexpr double kPull = 1e-2;      // way of a vertex, over its shortest edge, in the first pass
+constexpr int kPasses = 5;          // each pulls twice as far as the one before
+constexpr double kLeastLeft = 0.5;  // share of its area that a triangle keeps
 
 /// The triangles around each boundary vertex.
 class BoundaryFans {

@@ -11,9 +11,10 @@ namespace {
 
 /// Thinnest triangle, as height over its longest edge; below it Newton steps of all others would
 /// have to follow the sliver.
-constexpr double kLeastHeight = 1e-3;
+constexpr double kLeastHeight = 1e-4;
 /// Shortest longest edge of a triangle, over the mean edge of the chart.
 constexpr double kLeastEdge = 1e-2;
+constexpr double kSturdyHeight = 1e-7;
 
 /// Corners in the plane, the longest edge along x.
 std::array<glm::dvec2, 3> layFlat(const std::array<glm::dvec3, 3>& p, double leastEdge) {
@@ -73,8 +74,7 @@ RestShape::RestShape(const ChartSurface& surface)
         {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]}, leastEdge);
     const glm::dvec2 e1 = p[1] - p[0], e2 = p[2] - p[0];
     const double area2 = e1.x * e2.y - e1.y * e2.x;
-    gradient.push_back(
-        {glm::dvec2(e2.y, -e2.x) / area2, glm::dvec2(-e1.y, e1.x) / area2});
+    gradient.push_back({glm::dvec2(e2.y, -e2.x) / area2, glm::dvec2(-e1.y, e1.x) / area2});
     weight.push_back(area2 / 2);
     total += area2 / 2;
   }
@@ -102,6 +102,16 @@ bool allPositive(const RestShape& rest, std::span<const glm::dvec2> uv) {
   return std::all_of(rest.triangles.begin(), rest.triangles.end(), [&](const auto& t) {
     const double area = signedArea(uv[t[0]], uv[t[1]], uv[t[2]]);
     return area > 0 && std::isfinite(area);
+  });
+}
+
+bool sturdy(const RestShape& rest, std::span<const glm::dvec2> uv) {
+  const double least = kSturdyHeight * std::sqrt(std::abs(signedArea(rest, uv)));
+  return std::all_of(rest.triangles.begin(), rest.triangles.end(), [&](const auto& t) {
+    const double longest =
+        std::max({glm::distance(uv[t[0]], uv[t[1]]), glm::distance(uv[t[1]], uv[t[2]]),
+                  glm::distance(uv[t[2]], uv[t[0]])});
+    return 2 * signedArea(uv[t[0]], uv[t[1]], uv[t[2]]) > least * longest;
   });
 }
 

@@ -55,6 +55,11 @@ double signedArea(const RestShape& rest, std::span<const glm::dvec2> uv);
 /// True when every triangle is counter-clockwise with an area above 0 (and finite).
 bool allPositive(const RestShape& rest, std::span<const glm::dvec2> uv);
 
+/// True when every triangle is counter-clockwise and no height is below 1e-7 of the square root of
+/// the chart's area: places rounded to 9 digits of a texture then still face the same way, even
+/// where the chart is a thousandth of it.
+bool sturdy(const RestShape& rest, std::span<const glm::dvec2> uv);
+
 /// Scales the chart to area 1, mirrored when most of it is clockwise, its centre at the origin.
 /// False, and nothing changed, when it has no area or is not finite.
 bool scaleToUnitArea(const RestShape& rest, std::span<glm::dvec2> uv);

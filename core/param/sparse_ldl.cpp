@@ -30,6 +30,11 @@ glm::dvec2 apply(const Complex& a, const glm::dvec2& x) {
 }
 glm::dvec2 apply(const glm::dmat2& a, const glm::dvec2& x) { return a * x; }
 
+// A number that an entry counts for when it is made larger.
+double sizeOf(double a) { return a; }
+double sizeOf(const Complex& a) { return a.real(); }
+double sizeOf(const glm::dmat2& a) { return a[0][0] + a[1][1]; }
+
 /// False when a pivot is not positive definite.
 bool invert(double pivot, double& inverse) {
   inverse = 1 / pivot;
@@ -50,17 +55,10 @@ bool invert(const glm::dmat2& pivot, glm::dmat2& inverse) {
 
 template <class Entry>
 SparseLdl<Entry>::SparseLdl(const SparsePattern& pattern)
-    : pattern_(pattern),
-      diagonal_(pattern.size()),
-      upper_(pattern.row.size()),
-      inverse_(pattern.size()),
-      factor_(pattern.factorStart.back()),
-      factorRow_(pattern.factorStart.back()),
-      filled_(pattern.size()),
-      work_(pattern.size()),
-      mark_(pattern.size()),
-      stack_(pattern.size()),
-      permuted_(pattern.size()) {}
+    : pattern_(pattern), diagonal_(pattern.size()), upper_(pattern.row.size()),
+      inverse_(pattern.size()), factor_(pattern.factorStart.back()),
+      factorRow_(pattern.factorStart.back()), filled_(pattern.size()), work_(pattern.size()),
+      mark_(pattern.size()), stack_(pattern.size()), permuted_(pattern.size()) {}
 
 template <class Entry>
 void SparseLdl<Entry>::clear() {
@@ -71,6 +69,24 @@ void SparseLdl<Entry>::clear() {
 template <class Entry>
 void SparseLdl<Entry>::addSide(Index side, const Entry& value) {
   upper_[pattern_.sideSlot[side]] += pattern_.sideTurned[side] ? adjoint(value) : value;
+}
+
+template <class Entry>
+void SparseLdl<Entry>::fix(const std::vector<bool>& vertices) {
+  const SparsePattern& p = pattern_;
+  std::vector<bool> fixed(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) fixed[p.place[v]] = vertices[v];
+  for (std::size_t k = 0; k < fixed.size(); ++k) {
+    if (fixed[k]) diagonal_[k] = Entry(1);
+    for (Index e = p.columnStart[k]; e < p.columnStart[k + 1]; ++e) {
+      if (fixed[k] || fixed[p.row[e]]) upper_[e] = Entry(0);
+    }
+  }
+}
+
+template <class Entry>
+void SparseLdl<Entry>::damp(double share) {
+  for (Entry& entry : diagonal_) entry += Entry(share * sizeOf(entry));
 }
 
 /// One row of L from those above it (Davis 2005, "Algorithm 849").

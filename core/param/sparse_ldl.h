@@ -47,6 +47,11 @@ class SparseLdl {
   /// Adds to the entry in the row of the side's start and the column of its end, and the adjoint to
   /// its mirror.
   void addSide(Index side, const Entry& value);
+  /// Makes the equations of the marked vertices x = right hand side, and takes them out of all
+  /// others.
+  void fix(const std::vector<bool>& vertices);
+  /// Adds `share` of its size to each diagonal entry.
+  void damp(double share);
   /// False, and nothing to solve with, when the matrix is not positive definite.
   /// Cost: about 1 us a triangle for numbers, 3 for matrices, at 10,000 triangles.
   bool factor();
@@ -57,11 +62,11 @@ class SparseLdl {
   bool eliminate(Index k);
 
   const SparsePattern& pattern_;
-  std::vector<Entry> diagonal_, upper_;           // the matrix, in places
-  std::vector<Entry> inverse_, factor_;           // D^-1 and L
-  std::vector<Index> factorRow_;                  // rows of L
-  std::vector<std::size_t> filled_;               // end of each column of L so far
-  std::vector<Entry> work_;                       // one column on its way
+  std::vector<Entry> diagonal_, upper_;  // the matrix, in places
+  std::vector<Entry> inverse_, factor_;  // D^-1 and L
+  std::vector<Index> factorRow_;         // rows of L
+  std::vector<std::size_t> filled_;      // end of each column of L so far
+  std::vector<Entry> work_;              // one column on its way
   std::vector<Index> mark_, stack_;
   std::vector<glm::dvec2> permuted_;
 };

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/charts/chart_surface.h"
 #include "core/param/rest_shape.h"
 
 namespace chartflood {
@@ -17,8 +18,17 @@ constexpr double kLargest = 1e15;     // where a ratio of a vanishing triangle e
 double spaceArea(const ChartSurface& surface, std::size_t triangle) {
   const auto& t = surface.triangles[triangle];
   const glm::dvec3& origin = surface.positions[t[0]];
-  return 0.5 * glm::length(glm::cross(surface.positions[t[1]] - origin,
-                                      surface.positions[t[2]] - origin));
+  return 0.5 * glm::length(
+                   glm::cross(surface.positions[t[1]] - origin, surface.positions[t[2]] - origin));
+}
+
+/// False for a triangle that is degenerate as a Mesh says it: nothing about it can be measured.
+bool hasShape(const ChartSurface& surface, std::size_t triangle, double area) {
+  double longest = 0;
+  for (Index i = 0; i < 3; ++i) {
+    longest = std::max(longest, sideLength(surface, static_cast<Index>(3 * triangle + i)));
+  }
+  return 2 * area > 1e-10 * longest * longest;
 }
 
 /// Areas of the chart that its triangles are compared with.
@@ -48,10 +58,10 @@ TriangleDistortion distortionOf(const std::array<glm::dvec3, 3>& q,
                                 double spaceArea, double factor) {
   // Partial derivatives of the map from the plane to space (Sander 2001, section 3).
   const double half = 0.5 / planeArea;
-  const glm::dvec3 s = half * (q[0] * (p[1].y - p[2].y) + q[1] * (p[2].y - p[0].y) +
-                               q[2] * (p[0].y - p[1].y));
-  const glm::dvec3 t = half * (q[0] * (p[2].x - p[1].x) + q[1] * (p[0].x - p[2].x) +
-                               q[2] * (p[1].x - p[0].x));
+  const glm::dvec3 s =
+      half * (q[0] * (p[1].y - p[2].y) + q[1] * (p[2].y - p[0].y) + q[2] * (p[0].y - p[1].y));
+  const glm::dvec3 t =
+      half * (q[0] * (p[2].x - p[1].x) + q[1] * (p[0].x - p[2].x) + q[2] * (p[1].x - p[0].x));
   const double a = glm::dot(s, s), c = glm::dot(t, t);
   const double product = spaceArea / planeArea;  // of the singular values
   // (s1 + s2)^2 and (s1 - s2)^2; rounding may take the second below 0.
@@ -68,6 +78,12 @@ TriangleDistortion distortionOf(const std::array<glm::dvec3, 3>& q,
 
 }  // namespace
 
+double surfaceArea(const ChartSurface& surface) {
+  double sum = 0;
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t) sum += spaceArea(surface, t);
+  return sum;
+}
+
 std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
                                                    std::span<const glm::dvec2> uv) {
   std::vector<TriangleDistortion> result(surface.triangleCount());
@@ -80,11 +96,10 @@ std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
     const std::array<glm::dvec2, 3> p{uv[v[0]], uv[v[1]], uv[v[2]]};
     const double plane = signedArea(p[0], p[1], p[2]);
     const double space = spaceArea(surface, t);
-    // Below this share a triangle has no shape that could be measured.
-    if (std::isfinite(factor) && factor > 0 && space > 1e-15 * areas.space / count) {
-      result[t] = distortionOf(
-          {surface.positions[v[0]], surface.positions[v[1]], surface.positions[v[2]]}, p,
-          std::max(std::abs(plane), least), space, factor);
+    if (std::isfinite(factor) && factor > 0 && hasShape(surface, t, space)) {
+      result[t] =
+          distortionOf({surface.positions[v[0]], surface.positions[v[1]], surface.positions[v[2]]},
+                       p, std::max(std::abs(plane), least), space, factor);
     }
     result[t].flipped = plane != 0 && (plane < 0) != areas.clockwise;
   }

@@ -12,6 +12,9 @@
 
 namespace chartflood {
 
+/// Area of a chart in space, squared normalised units.
+double surfaceArea(const ChartSurface& surface);
+
 /// Distortion of one triangle of a chart, compared with the chart as a whole: 1 is none.
 struct TriangleDistortion {
   double l2 = 1;         ///< root mean square stretch over all directions
@@ -22,7 +25,7 @@ struct TriangleDistortion {
 };
 
 /// One entry a triangle. A triangle's area in the plane counts as at least 1e-10 of the mean, and
-/// one without area in space has distortion 1, so that all figures are finite.
+/// one that is degenerate in space has distortion 1, so that all figures are finite.
 /// \param uv place of each vertex of the surface
 std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
                                                    std::span<const glm::dvec2> uv);
