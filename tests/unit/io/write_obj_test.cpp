@@ -249,6 +249,24 @@ TEST(WriteObj, KeepsDroppedFacesInTheirPlace) {
   EXPECT_EQ(obj.faces[5][2].texture, obj.faces[5][0].texture);
 }
 
+TEST(WriteObj, CornersOutsideOfTrianglesTakeTheTextureOfTheirVertex) {
+  // The last corner is the first again, and lies behind another one.
+  const auto mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2, 0}});
+  const ObjFile obj = parseObj(objText(inPatches(mesh, 1).view()));
+  ASSERT_EQ(obj.faces[0].size(), 4u);
+  EXPECT_EQ(obj.faces[0][3].texture, obj.faces[0][0].texture);
+  EXPECT_EQ(obj.texture.size(), 3u);
+}
+
+TEST(WriteObj, TellsDroppedFacesFromThoseWithoutChart) {
+  const auto odd = oddMesh();
+  const ObjFile obj =
+      parseObj(objText(chartedMesh(odd, std::vector<Index>(odd->faceCount(), kNone)).view()));
+  for (std::size_t f = 0; f < obj.faces.size(); ++f) {
+    EXPECT_EQ(obj.group[f], f == 1 || f == 7 ? "dropped" : "free");
+  }
+}
+
 TEST(WriteObj, FacesWithoutChartAndChartsNotLaidFlatHaveNoTexture) {
   Charted charted = chartedMesh(grid(3, false), {0, 0, 0, 1, 1, 1, 1, kNone, kNone});
   charted.atlas.uv[0].clear();
