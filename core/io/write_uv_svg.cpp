@@ -29,6 +29,12 @@ std::string colorText(std::uint32_t color) {
   return text;
 }
 
+/// Black, or white where the ground is dark (Rec. 709 luma).
+const char* inkOn(std::uint32_t ground) {
+  const auto part = [&](int shift) { return static_cast<double>((ground >> shift) & 255u) / 255; };
+  return 0.2126 * part(16) + 0.7152 * part(8) + 0.0722 * part(0) < 0.4 ? "#ffffff" : "#000000";
+}
+
 class SvgWriter {
  public:
   SvgWriter(const ChartedMesh& charted, const UvSvgOptions& options)
@@ -45,6 +51,9 @@ class SvgWriter {
   Outline outline(std::size_t chart) const;
   std::string path(const Outline& outline) const;
   std::string number(std::size_t chart, const Outline& outline) const;
+  std::uint32_t color(std::size_t chart) const {
+    return chart < options_.colors.size() ? options_.colors[chart] : kGrey;
+  }
 
   const ChartedMesh& m_;
   const UvSvgOptions& options_;
@@ -75,9 +84,8 @@ std::string SvgWriter::head() const {
 
 std::string SvgWriter::group(std::size_t chart) const {
   const Outline shape = outline(chart);
-  const std::uint32_t color = chart < options_.colors.size() ? options_.colors[chart] : kGrey;
   std::string text = "<g id=\"" + chartName(static_cast<Index>(chart)) + "\" fill=\"" +
-                     (options_.fill ? colorText(color) : "none") + "\">\n" + path(shape);
+                     (options_.fill ? colorText(color(chart)) : "none") + "\">\n" + path(shape);
   if (options_.numbers) text += number(chart, shape);
   return text + "</g>\n";
 }
@@ -118,7 +126,9 @@ std::string SvgWriter::number(std::size_t chart, const Outline& shape) const {
   // A digit is about 0.6 of the letters' height wide.
   const double widest = 2 * place.room / std::hypot(0.6 * static_cast<double>(digits.size()), 0.75);
   const double height = std::min(0.9 * widest, size_ / 32.0);
-  std::string text = "<text fill=\"#000000\" stroke=\"none\" font-size=\"";
+  std::string text = std::string("<text fill=\"") +
+                     (options_.fill ? inkOn(color(chart)) : "#000000") +
+                     "\" stroke=\"none\" font-size=\"";
   appendNumber(text, height);
   text += "\" x=\"";
   appendNumber(text, place.at.x);

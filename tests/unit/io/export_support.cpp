@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <deque>
 #include <limits>
@@ -181,6 +182,80 @@ ObjFile parseObj(const std::string& text) {
       out.material.push_back(material);
     }
   }
+  return out;
+}
+
+long TextureTopology::euler() const {
+  return static_cast<long>(points.size()) - static_cast<long>(edges.size()) +
+         static_cast<long>(faces);
+}
+
+std::size_t TextureTopology::boundaryLoops() const {
+  std::map<Index, Index> root;
+  const auto find = [&](Index i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const auto& [edge, uses] : edges) {
+    if (uses != 1) continue;
+    for (const Index end : {edge.first, edge.second}) root.try_emplace(end, end);
+    root[find(edge.first)] = find(edge.second);
+  }
+  std::set<Index> roots;
+  for (const auto& entry : root) roots.insert(find(entry.first));
+  return roots.size();
+}
+
+std::map<std::string, TextureTopology> textureTopologies(const ObjFile& obj) {
+  std::map<std::string, TextureTopology> charts;
+  for (std::size_t f = 0; f < obj.faces.size(); ++f) {
+    TextureTopology& chart = charts[obj.group[f]];
+    ++chart.faces;
+    const auto& face = obj.faces[f];
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Index a = face[i].texture, b = face[(i + 1) % face.size()].texture;
+      chart.points.insert(a);
+      ++chart.edges[std::minmax(a, b)];
+    }
+  }
+  return charts;
+}
+
+PlyFile parsePly(const std::string& bytes) {
+  PlyFile out;
+  const std::string last = "end_header\n";
+  const std::size_t data = bytes.find(last) + last.size();
+  out.header = bytes.substr(0, data);
+  const auto countAfter = [&](const std::string& words) {
+    const std::size_t at = out.header.find(words);
+    return at == std::string::npos ? 0 : std::stoul(out.header.substr(at + words.size()));
+  };
+  ByteReader in(std::string_view(bytes).substr(data));
+  const bool single = out.header.find("property float x") != std::string::npos;
+  const bool wide = out.header.find("list int int") != std::string::npos;
+  const bool split = out.header.find("property float s\nproperty float t\n") != std::string::npos;
+  const auto count = [&] {
+    return wide ? static_cast<std::size_t>(in.take<std::int32_t>()) : in.take<std::uint8_t>();
+  };
+  out.vertices.resize(countAfter("element vertex "));
+  for (glm::dvec3& p : out.vertices) {
+    for (int axis = 0; axis < 3; ++axis) p[axis] = single ? in.take<float>() : in.take<double>();
+    if (!split) continue;
+    const float s = in.take<float>(), t = in.take<float>();
+    out.texture.emplace_back(s, t);
+  }
+  out.faces.resize(countAfter("element face "));
+  for (PlyFile::Face& face : out.faces) {
+    face.vertices.resize(count());
+    for (Index& v : face.vertices) v = in.take<Index>();
+    face.chart = in.take<std::int32_t>();
+    face.texture.resize(count() / 2);
+    for (glm::vec2& uv : face.texture) {
+      uv.x = in.take<float>();
+      uv.y = in.take<float>();
+    }
+  }
+  out.finished = in.finished();
   return out;
 }
 

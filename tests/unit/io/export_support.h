@@ -3,9 +3,12 @@
 /// the tests' own.
 
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/io/charted_mesh.h"
@@ -53,6 +56,34 @@ struct ObjFile {
 };
 /// With streams and strtod alone.
 ObjFile parseObj(const std::string& text);
+
+/// Corners of a chart's faces that follow each other, by texture coordinate.
+struct TextureTopology {
+  std::set<Index> points;
+  std::map<std::pair<Index, Index>, int> edges;  ///< and how many faces use each
+  std::size_t faces = 0;
+
+  long euler() const;
+  /// Parts that the edges of one face only are connected to.
+  std::size_t boundaryLoops() const;
+};
+/// One entry a group.
+std::map<std::string, TextureTopology> textureTopologies(const ObjFile& obj);
+
+struct PlyFile {
+  struct Face {
+    std::vector<Index> vertices;
+    int chart = 0;
+    std::vector<glm::vec2> texture;
+  };
+  std::string header;
+  std::vector<glm::dvec3> vertices;
+  std::vector<glm::vec2> texture;  ///< of vertices
+  std::vector<Face> faces;
+  bool finished = false;  ///< the bytes end with the last face
+};
+/// As plyBytes() writes it, and nothing else.
+PlyFile parsePly(const std::string& bytes);
 
 /// Reads values one after the other from bytes, least significant first.
 class ByteReader {

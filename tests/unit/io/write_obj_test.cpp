@@ -41,48 +41,6 @@ void expectTheInputAgain(const Charted& charted) {
   EXPECT_EQ(after->repairs.size(), 0u) << after->repairs.front().text;
 }
 
-/// Corners of a chart's faces that follow each other, by texture coordinate.
-struct TextureTopology {
-  std::set<Index> points;
-  std::map<Pair, int> edges;
-  std::size_t faces = 0;
-  long euler() const {
-    return static_cast<long>(points.size()) - static_cast<long>(edges.size()) +
-           static_cast<long>(faces);
-  }
-  /// Points that edges of one face only connect, as loops.
-  std::size_t boundaryLoops() const {
-    std::map<Index, Index> root;
-    const auto find = [&](Index i) {
-      while (root[i] != i) i = root[i];
-      return i;
-    };
-    for (const auto& [edge, uses] : edges) {
-      if (uses != 1) continue;
-      for (const Index end : {edge.first, edge.second}) root.try_emplace(end, end);
-      root[find(edge.first)] = find(edge.second);
-    }
-    std::set<Index> roots;
-    for (const auto& entry : root) roots.insert(find(entry.first));
-    return roots.size();
-  }
-};
-
-std::map<std::string, TextureTopology> topologies(const ObjFile& obj) {
-  std::map<std::string, TextureTopology> charts;
-  for (std::size_t f = 0; f < obj.faces.size(); ++f) {
-    TextureTopology& chart = charts[obj.group[f]];
-    ++chart.faces;
-    const auto& face = obj.faces[f];
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      const Index a = face[i].texture, b = face[(i + 1) % face.size()].texture;
-      chart.points.insert(a);
-      ++chart.edges[std::minmax(a, b)];
-    }
-  }
-  return charts;
-}
-
 TEST(WriteObj, GivesTheInputBackBitForBit) {
   expectTheInputAgain(inPatches(quadCube(), 1));
   expectTheInputAgain(inPatches(sampleMesh("rocket", 3000), 100));
@@ -173,7 +131,7 @@ TEST(WriteObj, EveryChartIsADiskByItsTextureCoordinates) {
   Charted charted = inPatches(sampleMesh("sphere", 3000), 60);
   std::size_t disks = 0;
   const ObjFile obj = parseObj(objText(charted.view()));
-  const auto charts = topologies(obj);
+  const auto charts = textureTopologies(obj);
   ASSERT_EQ(charts.size(), charted.charts.charts.size());
   std::map<Index, std::set<Index>> verticesOf;
   for (const auto& face : obj.faces) {
@@ -193,7 +151,7 @@ TEST(WriteObj, EveryChartIsADiskByItsTextureCoordinates) {
 TEST(WriteObj, CutsPartTextureCoordinates) {
   const auto tube = sampleMesh("tube", 800);
   Charted charted = chartedMesh(tube, std::vector<Index>(tube->faceCount(), 0));
-  auto before = topologies(parseObj(objText(charted.view())));
+  auto before = textureTopologies(parseObj(objText(charted.view())));
   EXPECT_EQ(before["chart_000"].euler(), 0);
   EXPECT_EQ(before["chart_000"].boundaryLoops(), 2u);
   // From one rim to the other: the shortest way over edges.
@@ -222,7 +180,7 @@ TEST(WriteObj, CutsPartTextureCoordinates) {
     path.push_back(from[v]);
   }
   cutAlong(charted, 0, path);
-  auto after = topologies(parseObj(objText(charted.view())));
+  auto after = textureTopologies(parseObj(objText(charted.view())));
   EXPECT_EQ(after["chart_000"].euler(), 1);
   EXPECT_EQ(after["chart_000"].boundaryLoops(), 1u);
   EXPECT_EQ(after["chart_000"].points.size(), before["chart_000"].points.size() + path.size() + 1);
@@ -247,6 +205,24 @@ TEST(WriteObj, KeepsDroppedFacesInTheirPlace) {
   // The spike ends where it began.
   EXPECT_EQ(obj.faces[5][1].texture, obj.faces[5][0].texture);
   EXPECT_EQ(obj.faces[5][2].texture, obj.faces[5][0].texture);
+}
+
+TEST(WriteObj, CornersOutsideOfTrianglesTakeTheTextureOfTheirVertex) {
+  // The last corner is the first again, and lies behind another one.
+  const auto mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2, 0}});
+  const ObjFile obj = parseObj(objText(inPatches(mesh, 1).view()));
+  ASSERT_EQ(obj.faces[0].size(), 4u);
+  EXPECT_EQ(obj.faces[0][3].texture, obj.faces[0][0].texture);
+  EXPECT_EQ(obj.texture.size(), 3u);
+}
+
+TEST(WriteObj, TellsDroppedFacesFromThoseWithoutChart) {
+  const auto odd = oddMesh();
+  const ObjFile obj =
+      parseObj(objText(chartedMesh(odd, std::vector<Index>(odd->faceCount(), kNone)).view()));
+  for (std::size_t f = 0; f < obj.faces.size(); ++f) {
+    EXPECT_EQ(obj.group[f], f == 1 || f == 7 ? "dropped" : "free");
+  }
 }
 
 TEST(WriteObj, FacesWithoutChartAndChartsNotLaidFlatHaveNoTexture) {

@@ -17,58 +17,6 @@
 namespace chartflood::test {
 namespace {
 
-struct Face {
-  std::vector<Index> vertices;
-  int chart = 0;
-  std::vector<glm::vec2> texture;
-};
-struct PlyFile {
-  std::string header;
-  std::vector<glm::dvec3> vertices;
-  std::vector<glm::vec2> texture;  ///< of vertices
-  std::vector<Face> faces;
-  bool finished = false;  ///< the bytes end with the last face
-};
-
-std::size_t countAfter(const std::string& header, const std::string& words) {
-  const std::size_t at = header.find(words);
-  return at == std::string::npos ? 0 : std::stoul(header.substr(at + words.size()));
-}
-
-PlyFile parsePly(const std::string& bytes) {
-  PlyFile out;
-  const std::string last = "end_header\n";
-  const std::size_t data = bytes.find(last) + last.size();
-  out.header = bytes.substr(0, data);
-  ByteReader in(std::string_view(bytes).substr(data));
-  const bool single = out.header.find("property float x") != std::string::npos;
-  const bool wide = out.header.find("list int int") != std::string::npos;
-  const bool split = out.header.find("property float s\nproperty float t\n") != std::string::npos;
-  const auto count = [&] {
-    return wide ? static_cast<std::size_t>(in.take<std::int32_t>()) : in.take<std::uint8_t>();
-  };
-  out.vertices.resize(countAfter(out.header, "element vertex "));
-  for (glm::dvec3& p : out.vertices) {
-    for (int axis = 0; axis < 3; ++axis) p[axis] = single ? in.take<float>() : in.take<double>();
-    if (!split) continue;
-    const float s = in.take<float>(), t = in.take<float>();
-    out.texture.emplace_back(s, t);
-  }
-  out.faces.resize(countAfter(out.header, "element face "));
-  for (Face& face : out.faces) {
-    face.vertices.resize(count());
-    for (Index& v : face.vertices) v = in.take<Index>();
-    face.chart = in.take<std::int32_t>();
-    face.texture.resize(count() / 2);
-    for (glm::vec2& uv : face.texture) {
-      uv.x = in.take<float>();
-      uv.y = in.take<float>();
-    }
-  }
-  out.finished = in.finished();
-  return out;
-}
-
 /// Everything that holds for both kinds of vertices.
 PlyFile checkedPly(const Charted& charted, PlyVertices vertices) {
   const InputMesh& input = charted.mesh->input();
@@ -81,13 +29,13 @@ PlyFile checkedPly(const Charted& charted, PlyVertices vertices) {
   }
   // The labels are those of the label file, read by its text.
   std::string labels;
-  for (const Face& face : ply.faces) labels += std::to_string(face.chart) + "\n";
+  for (const PlyFile::Face& face : ply.faces) labels += std::to_string(face.chart) + "\n";
   EXPECT_EQ(labels, labelsText(*charted.mesh, charted.label));
   // Texture coordinates are those of the OBJ file, rounded.
   const ObjFile obj = parseObj(objText(charted.view()));
   EXPECT_EQ(ply.faces.size(), obj.faces.size());
   for (std::size_t f = 0; f < ply.faces.size(); ++f) {
-    const Face& face = ply.faces[f];
+    const PlyFile::Face& face = ply.faces[f];
     EXPECT_EQ(face.vertices.size(), input.face(f).size());
     const bool textured = !obj.faces[f].empty() && obj.faces[f][0].texture != kNone;
     EXPECT_EQ(face.texture.size(), textured ? face.vertices.size() : 0) << f;

@@ -121,7 +121,10 @@ TEST(WriteUvSvg, NumbersStandInTheirCharts) {
 TEST(WriteUvSvg, TakesColoursAndLeavesThemOut) {
   const Charted charted = inPatches(quadCube(), 2);
   const std::vector<std::uint32_t> colors{0x0A0B0C, 0xFFFFFF};
-  const auto filled = groupsOf(uvSvgText(charted.view(), {.colors = colors}));
+  const std::string svg = uvSvgText(charted.view(), {.colors = colors});
+  const auto filled = groupsOf(svg);
+  EXPECT_NE(svg.find("<text fill=\"#ffffff\""), std::string::npos) << "white on black";
+  EXPECT_NE(svg.find("<text fill=\"#000000\""), std::string::npos) << "black on white";
   EXPECT_EQ(filled[0].fill, "#0a0b0c");
   EXPECT_EQ(filled[1].fill, "#ffffff");
   EXPECT_EQ(groupsOf(uvSvgText(charted.view(), {.fill = false}))[0].fill, "none");
