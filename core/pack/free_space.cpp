@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 namespace chartflood {
@@ -9,10 +10,12 @@ namespace chartflood {
 namespace {
 
 /// Cost of a cell's distance: overlap is dear, and so is, a little, being far from everything.
-constexpr float kOverlapCost = 8;
-constexpr float kSnugReach = 0.08f;
+static float kOverlapCost = getenv("OC") ? (float)atof(getenv("OC")) : 30;
+static float kSnugReach = getenv("SR") ? (float)atof(getenv("SR")) : 0.08f;
 
 }  // namespace
+
+const int FreeSpace::kCells = getenv("CELLS") ? atoi(getenv("CELLS")) : 72;
 
 FreeSpace::FreeSpace(double side, double gap, double border)
     : side_(side), cell_(side / kCells), gap_(gap), border_(border), stride_(kCells + 2 * kFrame) {
@@ -66,6 +69,8 @@ Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) {
   if (wanted % 19 == 0) {
     for (std::size_t k = 0; k < wanted; ++k) chosen[k] = k;
   }
+  static const float DP = getenv("DP") ? (float)atof(getenv("DP")) : 0.8f;
+  const float room = shape.deepest.length * DP;
   Pose best;
   float bestCost = INFINITY;
   std::vector<int> offsets(wanted);
@@ -81,6 +86,8 @@ Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) {
       bottom = std::min(bottom, j), top = std::max(top, j);
       offsets[k] = j * stride_ + i;
     }
+    const int deepest = static_cast<int>(std::lround((s * shape.deepest.x + c * shape.deepest.y) / cell_)) * stride_ +
+                        static_cast<int>(std::lround((c * shape.deepest.x - s * shape.deepest.y) / cell_));
     const int slack = 2;
     const int i0 = std::max(kFrame - slack - left, -left);
     const int i1 = std::min(kFrame + kCells + slack - right, stride_ - 1 - right);
@@ -89,6 +96,7 @@ Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) {
     for (int j = j0; j <= j1; ++j) {
       for (int i = i0; i <= i1; ++i) {
         const int at = j * stride_ + i;
+        if (distance_[static_cast<std::size_t>(at + deepest)] < room) continue;
         float cost = 0;
         for (std::size_t k = 0; k < wanted && cost < bestCost; ++k) {
           cost += cost_[static_cast<std::size_t>(at + offsets[k])];

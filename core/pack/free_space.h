@@ -23,7 +23,7 @@ class FreeSpace {
   Pose bestPose(const PackShape& shape, double firstAngle, int turns);
 
  private:
-  static constexpr int kCells = 112;  ///< a side of the square
+  static const int kCells;  ///< a side of the square
   static constexpr int kFrame = 24;   ///< cells around it
 
   double side_, cell_, gap_, border_;

@@ -235,6 +235,7 @@ double settle(std::span<PlacedOutline> charts, const PackGaps& gaps, double scal
     }
     scale *= 1 - std::min(0.02, most) * (0.1 + 0.03 * i) - 1e-8;
   }
+  fprintf(stderr, "settle failed at %g\n", scale);
   return 0;
 }
 

@@ -48,6 +48,7 @@ struct PackShape {
   float radius = 0;     ///< of a circle about the centre around all points
   float perimeter = 0;  ///< sum of the points' lengths
   float area = 0;
+  Point deepest{0, 0, 0};  ///< farthest from the outline; its `length` is that distance
   glm::dvec2 center{0};  ///< in the chart's plane
 };
 

@@ -14,8 +14,11 @@ constexpr double kSideMass = 1.5;
 constexpr float kFullDepth = 0.04f;
 constexpr float kRootTwo = 1.41421357f;
 
-extern "C" float gD0, gC; float gD0 = 0.0005f, gC = 8;
-float pushOf(float depth) { return std::min(depth, kFullDepth) * (1 + std::min(depth / gD0, gC)); }
+/// Force of a point a unit of its length: deep points, which are few, push more than in proportion.
+float pushOf(float depth) {
+  constexpr float kStiffDepth = 1e-4f, kStiffest = 10;
+  return std::min(depth, kFullDepth) * (1 + std::min(depth / kStiffDepth, kStiffest));
+}
 
 }  // namespace
 
