@@ -160,8 +160,10 @@ class PlacedSegments {
     for (int axis = 0; axis < 2; ++axis) {
       push[axis] = std::max(border_ - p[axis], 0.0) - std::max(p[axis] - (1 - border_), 0.0);
     }
-    if (push.x != 0) contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.x), {push.x, 0}});
-    if (push.y != 0) contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.y), {0, push.y}});
+    if (push.x != 0)
+      contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.x), {push.x, 0}});
+    if (push.y != 0)
+      contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.y), {0, push.y}});
   }
   void measurePair(std::size_t i, std::size_t j) {
     const Segment2 &s = segments_[i], &t = segments_[j];

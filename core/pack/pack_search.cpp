@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "core/base/parallel.h"
@@ -12,15 +11,14 @@
 
 namespace chartflood {
 
-double tune(const char* n, double d) { const char* s = getenv(n); return s ? atof(s) : d; }
-
 namespace {
 
 /// Share of the square that the charts should cover when they are placed one by one: more than
 /// they can, so that squeezing starts from charts that overlap a little.
 constexpr double kFirstFill = 0.78;
-/// Turns tried for every chart that is placed.
-constexpr int kTurns = 8;
+/// Turns tried for every chart that is placed; fewer where there are many charts.
+constexpr int kTurns = 20;
+constexpr int kStartSteps = 60, kRoundSteps = 40;
 constexpr std::uint32_t kSeed = 1;
 /// Depths, in 1024ths of the square's side, that the walls press charts into each other, softest
 /// last.
@@ -43,7 +41,8 @@ Plan planFor(std::span<const PackShape> shapes) {
   // A square of twenty usual charts has about 2500 points.
   const double less = std::min(1.0, 2500 / points);
   const auto rounds = [&](double most) { return 2 + static_cast<int>(most * less); };
-  return {shapes.size() > 250 ? 2u : shapes.size() > 100 ? 4u : (std::size_t)tune("STARTS", 8), {{(std::size_t)tune("C1", 4), rounds(tune("R1", 25))}, {2, rounds(tune("R2", 70))}}};
+  const std::size_t starts = shapes.size() > 250 ? 2 : shapes.size() > 60 ? 4 : 8;
+  return {starts, {{4, rounds(60)}, {2, rounds(160)}}};
 }
 
 double unit(Rng& rng) { return (rng.below(1u << 24) + 0.5) / (1u << 24); }
@@ -60,17 +59,18 @@ bool denser(const Chain& a, const Chain& b) { return a.side < b.side; }
 class Search {
  public:
   Search(std::span<const PackShape> shapes, const PackGaps& gaps, const Progress& progress)
-      : shapes_(shapes), gaps_(gaps), progress_(progress) {}
+      : shapes_(shapes), gaps_(gaps), progress_(progress),
+        turns_(std::clamp(static_cast<int>(60 * kTurns / shapes.size()), 4, kTurns)) {}
 
   Chain start(Rng& rng) const {
     std::vector<Index> all(shapes_.size());
     for (Index i = 0; i < all.size(); ++i) all[i] = i;
     Chain chain;
-    const double side = std::sqrt(1 / tune("FILL", kFirstFill));
+    const double side = std::sqrt(1 / kFirstFill);
     chain.layout = {side, std::vector<Pose>(shapes_.size())};
     FreeSpace space(side, gaps_.between * side, gaps_.border * side);
     place(chain.layout, space, largeFirst(all, 0.3, rng), rng);
-    squeeze(chain, kStartDepths, tune("STEPS", 60), nullptr);
+    squeeze(chain, kStartDepths, kStartSteps, nullptr);
     return chain;
   }
 
@@ -81,7 +81,7 @@ class Search {
     std::vector<bool> out(shapes_.size(), false);
     for (const Index i : taken) out[i] = true;
     // Tighter than it was, so that only better places fit.
-    const double kTighter = tune("TIGHT", 0.99);
+    constexpr double kTighter = 0.99;
     next.layout.side *= kTighter;
     for (Pose& pose : next.layout.poses) pose.x *= kTighter, pose.y *= kTighter;
     const double side = next.layout.side;
@@ -90,7 +90,8 @@ class Search {
       if (!out[i]) space.add(shapes_[i], next.layout.poses[i]);
     }
     place(next.layout, space, largeFirst(taken, 0.5, rng), rng);
-    if (squeeze(next, kRoundDepths, tune("RSTEPS", 50), &chain) && denser(next, chain)) chain = std::move(next);
+    if (squeeze(next, kRoundDepths, kRoundSteps, &chain) && denser(next, chain))
+      chain = std::move(next);
   }
 
  private:
@@ -111,7 +112,7 @@ class Search {
              Rng& rng) const {
     for (const Index i : order) {
       if (progress_.cancelled()) return;
-      layout.poses[i] = space.bestPose(shapes_[i], 2 * std::numbers::pi * unit(rng), tune("TURNS", kTurns));
+      layout.poses[i] = space.bestPose(shapes_[i], 2 * std::numbers::pi * unit(rng), turns_);
       space.add(shapes_[i], layout.poses[i]);
     }
   }
@@ -119,9 +120,9 @@ class Search {
   /// A few neighbours, or a few from anywhere.
   std::vector<Index> someShapes(const PackLayout& layout, Rng& rng) const {
     const Index count = static_cast<Index>(shapes_.size());
-    const std::size_t wanted = std::min<std::size_t>(count, tune("KMIN", 2) + rng.below(tune("KMAX", 4) - tune("KMIN", 2) + 1));
+    const std::size_t wanted = std::min<Index>(count, 2 + rng.below(4));
     const Index first = rng.below(count);
-    const bool neighbours = rng.below(100) < tune("LOCAL", 50);
+    const bool neighbours = rng.below(2) == 0;
     std::vector<std::pair<double, Index>> keys;
     for (Index i = 0; i < count; ++i) {
       const Pose &a = layout.poses[first], &b = layout.poses[i];
@@ -136,7 +137,7 @@ class Search {
 
   /// False, and given up early, when it falls behind `best`.
   bool squeeze(Chain& chain, std::span<const double> depths, int steps, const Chain* best) const {
-    const double kBehind = tune("HOPE", 1.004);
+    constexpr double kBehind = 1.004;
     // Shapes must shrink by about the depth over their radius to come apart.
     constexpr double kRadius = 0.2;
     Squeezer squeezer(shapes_, gaps_);
@@ -155,6 +156,7 @@ class Search {
   std::span<const PackShape> shapes_;
   PackGaps gaps_;
   const Progress& progress_;
+  int turns_;
 };
 
 }  // namespace

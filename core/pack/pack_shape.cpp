@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include <glm/geometric.hpp>
 
@@ -72,8 +71,8 @@ void appendPoints(std::vector<PackShape::Point>& points, const Polyline& line, d
     const int parts = std::max(1, static_cast<int>(std::ceil(length / spacing)));
     for (int k = 0; k < parts; ++k) {
       const glm::dvec2 p = line[i] + (line[i + 1] - line[i]) * (static_cast<double>(k) / parts);
-      points.push_back({static_cast<float>(p.x), static_cast<float>(p.y),
-                        static_cast<float>(spacing)});
+      points.push_back(
+          {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(spacing)});
     }
   }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include <glm/geometric.hpp>
 
@@ -13,8 +12,6 @@
 #include "core/pack/pack_shape.h"
 
 namespace chartflood {
-
-double tune(const char* n, double d);
 
 namespace {
 
@@ -91,7 +88,7 @@ std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, cons
   Sizes sizes = measure(outlines);
   // The gap is widest across a diagonal; and a place is snug up to some distance.
   const double reach = std::max(1.5 * gaps.between * sizes.side, 0.09);
-  const std::vector<PackShape> coarse = makeShapes(outlines, sizes, tune("SP", 12), tune("CELL", 10), 10000, reach);
+  const std::vector<PackShape> coarse = makeShapes(outlines, sizes, 12, 10, 10000, reach);
   const std::vector<PackLayout> layouts = searchLayouts(coarse, gaps, 0.85f, progress);
   if (progress.cancelled()) return {};
   sizes.side = layouts.front().side;
