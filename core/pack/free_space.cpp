@@ -9,13 +9,25 @@ namespace chartflood {
 namespace {
 
 /// Cost of a cell's distance: overlap is dear, and so is, a little, being far from everything.
-constexpr float kOverlapCost = 8;
+constexpr float kOverlapCost = 15;
 constexpr float kSnugReach = 0.08f;
+
+/// A bounded number of a shape's points, in an order that sees all sides early.
+std::vector<PackShape::Point> spreadPoints(const PackShape& shape) {
+  constexpr std::size_t kMost = 47, kStride = 19;  // primes: every point comes once
+  const std::size_t count = std::min(shape.points.size(), kMost);
+  const std::size_t stride = count % kStride == 0 ? 1 : kStride;
+  std::vector<PackShape::Point> points;
+  for (std::size_t k = 0; k < count; ++k) {
+    points.push_back(shape.points[k * stride % count * shape.points.size() / count]);
+  }
+  return points;
+}
 
 }  // namespace
 
 FreeSpace::FreeSpace(double side, double gap, double border)
-    : side_(side), cell_(side / kCells), gap_(gap), border_(border), stride_(kCells + 2 * kFrame) {
+    : side_(side), cell_(side / kCells), gap_(gap), stride_(kCells + 2 * kFrame) {
   distance_.resize(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(stride_));
   for (int j = 0; j < stride_; ++j) {
     for (int i = 0; i < stride_; ++i) {
@@ -32,9 +44,9 @@ void FreeSpace::add(const PackShape& shape, const Pose& pose) {
   const DistanceField& field = shape.field;
   const double c = std::cos(pose.angle), s = std::sin(pose.angle);
   const double half = side_ / 2;
-  const double reach =
-      std::hypot(std::max(std::abs(field.x0), std::abs(field.x0 + static_cast<float>(field.nx) * field.cell)),
-                 std::max(std::abs(field.y0), std::abs(field.y0 + static_cast<float>(field.ny) * field.cell)));
+  const double reach = std::hypot(
+      std::max(std::abs(field.x0), std::abs(field.x0 + static_cast<float>(field.nx) * field.cell)),
+      std::max(std::abs(field.y0), std::abs(field.y0 + static_cast<float>(field.ny) * field.cell)));
   const auto cellOf = [&](double v) {
     return std::clamp(static_cast<int>(std::floor((v + half) / cell_)) + kFrame, 0, stride_ - 1);
   };
@@ -59,29 +71,30 @@ Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) {
     const float free = distance_[i] - need;
     cost_[i] = free < 0 ? kOverlapCost * -free : std::min(free, kSnugReach);
   }
-  // A bounded number of points, in an order that sees all sides early.
-  std::vector<std::size_t> chosen;
-  const std::size_t wanted = std::min<std::size_t>(shape.points.size(), 48);
-  for (std::size_t k = 0; k < wanted; ++k) chosen.push_back(k * 19 % wanted);
-  if (wanted % 19 == 0) {
-    for (std::size_t k = 0; k < wanted; ++k) chosen[k] = k;
-  }
+  const std::vector<PackShape::Point> points = spreadPoints(shape);
+  // Where the deepest point does not fit, by far, nothing else needs a look.
+  const float room = 0.8f * shape.deepest.length;
   Pose best;
   float bestCost = INFINITY;
-  std::vector<int> offsets(wanted);
+  std::vector<int> offsets(points.size());
   for (int turn = 0; turn < turns; ++turn) {
     const double angle = firstAngle + turn * 2 * std::numbers::pi / turns;
     const double c = std::cos(angle), s = std::sin(angle);
-    int left = 0, right = 0, bottom = 0, top = 0;
-    for (std::size_t k = 0; k < wanted; ++k) {
-      const PackShape::Point& p = shape.points[chosen[k] * shape.points.size() / wanted];
+    const PackShape::Point& d = shape.deepest;
+    const int di = static_cast<int>(std::lround((c * d.x - s * d.y) / cell_));
+    const int dj = static_cast<int>(std::lround((s * d.x + c * d.y) / cell_));
+    const int deepest = dj * stride_ + di;
+    int left = std::min(0, di), right = std::max(0, di);
+    int bottom = std::min(0, dj), top = std::max(0, dj);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const PackShape::Point& p = points[k];
       const int i = static_cast<int>(std::lround((c * p.x - s * p.y) / cell_));
       const int j = static_cast<int>(std::lround((s * p.x + c * p.y) / cell_));
       left = std::min(left, i), right = std::max(right, i);
       bottom = std::min(bottom, j), top = std::max(top, j);
       offsets[k] = j * stride_ + i;
     }
-    const int slack = 2;
+    constexpr int slack = 2;
     const int i0 = std::max(kFrame - slack - left, -left);
     const int i1 = std::min(kFrame + kCells + slack - right, stride_ - 1 - right);
     const int j0 = std::max(kFrame - slack - bottom, -bottom);
@@ -89,8 +102,9 @@ Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) {
     for (int j = j0; j <= j1; ++j) {
       for (int i = i0; i <= i1; ++i) {
         const int at = j * stride_ + i;
+        if (distance_[static_cast<std::size_t>(at + deepest)] < room) continue;
         float cost = 0;
-        for (std::size_t k = 0; k < wanted && cost < bestCost; ++k) {
+        for (std::size_t k = 0; k < offsets.size() && cost < bestCost; ++k) {
           cost += cost_[static_cast<std::size_t>(at + offsets[k])];
         }
         if (cost >= bestCost) continue;

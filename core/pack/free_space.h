@@ -19,14 +19,13 @@ class FreeSpace {
 
   /// The place where the shape lies closest to what is there and overlaps it least, over all cells
   /// and `turns` turns from `firstAngle` on.
-  /// \param shy 0 to 1: how far a snug place may be from its neighbours before it stops counting
   Pose bestPose(const PackShape& shape, double firstAngle, int turns);
 
  private:
-  static constexpr int kCells = 112;  ///< a side of the square
-  static constexpr int kFrame = 24;   ///< cells around it
+  static constexpr int kCells = 72;  ///< a side of the square
+  static constexpr int kFrame = 24;  ///< cells around it
 
-  double side_, cell_, gap_, border_;
+  double side_, cell_, gap_;
   int stride_;
   std::vector<float> distance_;
   std::vector<float> cost_;

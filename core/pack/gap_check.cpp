@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace chartflood {
 
@@ -73,19 +71,43 @@ class PlacedSegments {
     }
     if (contacts_.empty()) measureInside();
     std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
-      if (a.first != b.first) return a.first < b.first;
-      if (a.second != b.second) return a.second < b.second;
-      return a.missing > b.missing;
+      return a.first != b.first ? a.first < b.first : a.second < b.second;
     });
   }
 
-  /// One entry a pair of charts, or a chart and the border: the deepest contact.
+  /// A place where two charts, or a chart and the border, are too close.
   struct Contact {
     std::size_t first, second;  ///< charts; `second` == number of charts: the border
     double missing;
     Point push;  ///< of the first chart, with the length that is missing
   };
   std::span<const Contact> contacts() const { return contacts_; }
+
+  /// How far each chart should move. A pair of charts parts by the largest push each way, so that
+  /// one that sticks between two arms of the other comes to rest in the middle.
+  /// \return the most that is missing anywhere
+  double pushes(std::vector<Point>& move) const {
+    // A little more than is missing, so that steps come to an end.
+    constexpr double kSpare = 2e-5;
+    std::fill(move.begin(), move.end(), Point(0));
+    double most = 0;
+    for (std::size_t k = 0; k < contacts_.size();) {
+      const auto [first, second, missing, push] = contacts_[k];
+      Point low(0), high(0);
+      for (; k < contacts_.size() && contacts_[k].first == first && contacts_[k].second == second;
+           ++k) {
+        const Contact& contact = contacts_[k];
+        const Point wished = contact.push * (1 + kSpare / contact.missing);
+        low = {std::min(low.x, wished.x), std::min(low.y, wished.y)};
+        high = {std::max(high.x, wished.x), std::max(high.y, wished.y)};
+        most = std::max(most, contact.missing);
+      }
+      const bool border = second == charts_.size();
+      move[first] += (low + high) * (border ? 1.0 : 0.5);
+      if (!border) move[second] -= (low + high) * 0.5;
+    }
+    return most;
+  }
 
  private:
   void makeGrid() {
@@ -138,8 +160,10 @@ class PlacedSegments {
     for (int axis = 0; axis < 2; ++axis) {
       push[axis] = std::max(border_ - p[axis], 0.0) - std::max(p[axis] - (1 - border_), 0.0);
     }
-    if (push.x != 0) contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.x), {push.x, 0}});
-    if (push.y != 0) contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.y), {0, push.y}});
+    if (push.x != 0)
+      contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.x), {push.x, 0}});
+    if (push.y != 0)
+      contacts_.push_back({chartOf_[i], charts_.size(), std::abs(push.y), {0, push.y}});
   }
   void measurePair(std::size_t i, std::size_t j) {
     const Segment2 &s = segments_[i], &t = segments_[j];
@@ -208,31 +232,18 @@ double settle(std::span<PlacedOutline> charts, const PackGaps& gaps, double scal
               const Progress& progress) {
   constexpr int kSteps = 120;
   constexpr double kLargestMove = 0.004;
-  // A little more than is missing, so that steps come to an end.
-  constexpr double kSpare = 2e-5;
   std::vector<Point> move(charts.size());
   for (int i = 0; i < kSteps && !progress.cancelled(); ++i) {
     PlacedSegments placed(charts, gaps, scale);
     placed.measure();
     if (placed.contacts().empty()) return scale;
-    std::fill(move.begin(), move.end(), Point(0));
-    double most = 0;
-    const PlacedSegments::Contact* last = nullptr;
-    for (const auto& contact : placed.contacts()) {
-      if (last != nullptr && last->first == contact.first && last->second == contact.second) continue;
-      last = &contact;
-      most = std::max(most, contact.missing);
-      const bool wall = contact.second == charts.size();
-      const Point push = contact.push * (1 + kSpare / contact.missing);
-      move[contact.first] += push * (wall ? 1.0 : 0.5);
-      if (!wall) move[contact.second] -= push * 0.5;
-    }
-    if (getenv("VERB")) printf("try %d scale %g most %g px, %zu\n", i, scale, most*1024,placed.contacts().size());
+    const double most = placed.pushes(move);
     for (std::size_t k = 0; k < charts.size(); ++k) {
       const double length = std::hypot(move[k].x, move[k].y);
       if (length > kLargestMove) move[k] *= kLargestMove / length;
       charts[k].pose.x += move[k].x, charts[k].pose.y += move[k].y;
     }
+    // Slowly at first: most of what is missing can be found by moving.
     scale *= 1 - std::min(0.02, most) * (0.1 + 0.03 * i) - 1e-8;
   }
   return 0;

@@ -1,7 +1,9 @@
 #pragma once
-/// Searches for the densest layout of shapes in a square.
+/// Searches for the densest layout of shapes in a square: places them one by one in several orders,
+/// then takes a few out of the best layouts and puts them back in, again and again.
 
 #include <span>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/pack/pack_shape.h"
@@ -9,16 +11,12 @@
 
 namespace chartflood {
 
-struct SearchOptions {
-  int starts = 8;
-  int rounds = 16;
-  int changes = 2;
-  std::uint32_t seed = 1;
-};
-
-/// The best layout found; its shapes may still be pressed into each other by a small part of the
-/// points' spacing. Fixed work, shared out over the threads by independent starts.
-PackLayout searchLayout(std::span<const PackShape> shapes, const PackGaps& gaps,
-                        const SearchOptions& options, Progress& progress);
+/// Layouts found, the densest first; their shapes may still be pressed into each other by a small
+/// part of the points' spacing. A fixed amount of work that grows little with the number of
+/// shapes, shared out over the threads by independent layouts. Fills the progress up to
+/// `lastFraction`.
+/// \return at least one layout; meaningless when cancelled
+std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const PackGaps& gaps,
+                                      float lastFraction, Progress& progress);
 
 }  // namespace chartflood

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include <glm/geometric.hpp>
 
@@ -72,8 +71,8 @@ void appendPoints(std::vector<PackShape::Point>& points, const Polyline& line, d
     const int parts = std::max(1, static_cast<int>(std::ceil(length / spacing)));
     for (int k = 0; k < parts; ++k) {
       const glm::dvec2 p = line[i] + (line[i + 1] - line[i]) * (static_cast<double>(k) / parts);
-      points.push_back({static_cast<float>(p.x), static_cast<float>(p.y),
-                        static_cast<float>(spacing)});
+      points.push_back(
+          {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(spacing)});
     }
   }
 }
@@ -251,10 +250,21 @@ PackShape makeShape(const ChartOutline& outline, double scale, const ShapeDetail
   field.cell = std::min(detail.cell, static_cast<float>(size / 10 + 0.1 * detail.reach + 1e-9));
   const double pad = detail.reach + 1.5 * field.cell;
   field.x0 = static_cast<float>(low.x - pad), field.y0 = static_cast<float>(low.y - pad);
+  // Diagonal needles have large boxes.
+  constexpr double kMostNodes = 1 << 18;
+  const double box = (high.x - low.x + 2 * pad) * (high.y - low.y + 2 * pad);
+  field.cell = std::max(field.cell, static_cast<float>(std::sqrt(box / kMostNodes)));
   field.nx = 2 + static_cast<int>((high.x - low.x + 2 * pad) / field.cell);
   field.ny = 2 + static_cast<int>((high.y - low.y + 2 * pad) / field.cell);
   fillField(field, segments);
   appendInside(shape, std::max(0.2f * std::sqrt(shape.area), 2 * field.cell));
+  for (int j = 0; j < field.ny; ++j) {
+    for (int i = 0; i < field.nx; ++i) {
+      if (-field.at(i, j) <= shape.deepest.length) continue;
+      shape.deepest = {field.x0 + static_cast<float>(i) * field.cell,
+                       field.y0 + static_cast<float>(j) * field.cell, -field.at(i, j)};
+    }
+  }
   const std::size_t begin = shape.points.size();
   shape.points.insert(shape.points.end(), shape.inside.begin(), shape.inside.end());
   appendRuns(shape, begin);

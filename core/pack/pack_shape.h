@@ -41,14 +41,15 @@ struct PackShape {
     float x, y, radius;
     unsigned begin, end;
   };
-  std::vector<Point> points;   ///< along the outline
-  std::vector<Point> inside;   ///< a coarse grid of points, none near the outline
+  std::vector<Point> points;  ///< along the outline
+  std::vector<Point> inside;  ///< a coarse grid of points, none near the outline
   std::vector<Run> runs;
   DistanceField field;
   float radius = 0;     ///< of a circle about the centre around all points
   float perimeter = 0;  ///< sum of the points' lengths
   float area = 0;
-  glm::dvec2 center{0};  ///< in the chart's plane
+  Point deepest{0, 0, 0};  ///< farthest from the outline; its `length` is that distance
+  glm::dvec2 center{0};    ///< in the chart's plane
 };
 
 /// \param scale layout units per unit of the chart's plane

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <cstdio>
-#include <cstdlib>
+#include <glm/geometric.hpp>
+
 #include "core/base/parallel.h"
 #include "core/pack/gap_check.h"
 #include "core/pack/grid_layout.h"
@@ -15,54 +15,68 @@ namespace chartflood {
 
 namespace {
 
-/// Layout units per unit of the charts' plane. Slivers count with a part of their length, so that
-/// charts without any area still have a size.
-double layoutScale(std::span<const ChartOutline> outlines) {
-  double area = 0, size = 0;
+/// Sizes that do not change with the charts' own units.
+struct Sizes {
+  double scale = 1;   ///< layout units per unit of the charts' plane
+  double side = 1;    ///< about that of the square at the end, layout units
+  double length = 0;  ///< of all outlines, layout units
+};
+
+Sizes measure(std::span<const ChartOutline> outlines) {
+  double area = 0, size = 0, length = 0;
   for (const ChartOutline& outline : outlines) {
     const double side = smallestSquare(outline.hull).side;
+    // Slivers count with a part of their length: charts without any area still have a size.
     area += std::max(outline.area, 0.01 * side * side);
     size = std::max(size, side);
+    for (const Segment2& segment : outline.segments) {
+      length += glm::distance(segment[0], segment[1]);
+    }
   }
-  return area > 0 ? 1 / std::sqrt(area) : 1;
+  if (area <= 0) return {};
+  const double scale = 1 / std::sqrt(area);
+  return {scale, std::max(1.15, 0.8 * scale * size), scale * length};
 }
 
-std::vector<PackShape> makeShapes(std::span<const ChartOutline> outlines, double scale,
-                                  const ShapeDetail& detail) {
+/// Shapes with points every so many 1024ths of the square, and at most `mostPoints` in all.
+std::vector<PackShape> makeShapes(std::span<const ChartOutline> outlines, const Sizes& sizes,
+                                  double spacing, double cell, double mostPoints, double reach) {
+  const double unit = sizes.side / 1024;
+  const ShapeDetail detail{static_cast<float>(std::max(spacing * unit, sizes.length / mostPoints)),
+                           static_cast<float>(cell * unit), static_cast<float>(reach)};
   std::vector<PackShape> shapes(outlines.size());
   parallelFor(shapes.size(),
-              [&](std::size_t i) { shapes[i] = makeShape(outlines[i], scale, detail); });
+              [&](std::size_t i) { shapes[i] = makeShape(outlines[i], sizes.scale, detail); });
   return shapes;
 }
 
-/// Space that the charts take about, as share of the square, for sizes that need only be near.
-constexpr double kUsualSide = 1.2;
+/// A layout with finer shapes, pressed once more, and then parted exactly.
+struct Fitted {
+  double scale = 0;
+  std::vector<PlacedOutline> charts;
+};
 
-/// The same layout with finer shapes, pressed once more and fitted exactly.
-std::vector<Placement> fitted(std::span<const ChartOutline> outlines,
-                              std::span<const PackShape> shapes, double scale, PackLayout layout,
-                              const PackGaps& gaps, const Progress& progress) {
+Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> shapes,
+           double layoutScale, PackLayout layout, const PackGaps& gaps, const Progress& progress) {
   Squeezer squeezer(shapes, gaps);
-  const double pixel = layout.side / 1024;
   for (const double depth : {0.5, 0.1, 0.02, 0.004}) {
-    squeezer.run(layout, {4 * depth * pixel, 80}, progress);
-  if (getenv("VERB")) printf("fine %.4f depth %g\n", 1/layout.side/layout.side, squeezer.depth()/pixel);
+    squeezer.run(layout, {4 * depth / 1024 * layout.side, 80}, progress);
   }
-  std::vector<PlacedOutline> placed(outlines.size());
-  for (std::size_t i = 0; i < placed.size(); ++i) {
+  Fitted fitted;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
     const Pose& pose = layout.poses[i];
-    placed[i] = {&outlines[i], shapes[i].center,
-                 {pose.x / layout.side + 0.5, pose.y / layout.side + 0.5, pose.angle}};
+    fitted.charts.push_back({&outlines[i],
+                             shapes[i].center,
+                             {pose.x / layout.side + 0.5, pose.y / layout.side + 0.5, pose.angle}});
   }
-  const double best = settle(placed, gaps, 1.002 * scale / layout.side, progress);
-  if (getenv("VERB")) printf("exact %.4f \n", best*best/scale/scale);
-  std::vector<Placement> placement;
-  for (const PlacedOutline& p : placed) {
-    Placement place{p.pose.angle, best, {0, 0}};
-    place.offset = glm::dvec2(p.pose.x, p.pose.y) - place.at(p.center);
-    placement.push_back(place);
+  // Charts that are hooked into each other may need much more room.
+  const std::vector<PlacedOutline> before = fitted.charts;
+  for (const double room : {1.002, 0.97, 0.9, 0.75, 0.5}) {
+    fitted.scale = settle(fitted.charts, gaps, room * layoutScale / layout.side, progress);
+    if (fitted.scale > 0 || progress.cancelled()) break;
+    fitted.charts = before;
   }
-  return placement;
+  return fitted;
 }
 
 }  // namespace
@@ -71,18 +85,29 @@ std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, cons
                                     Progress& progress) {
   std::vector<Placement> grid = gridLayout(outlines, gaps, true);
   if (outlines.size() < 2) return grid;
-  const double scale = layoutScale(outlines);
-  const float reach = static_cast<float>(std::max(1.45 * gaps.between * kUsualSide, 0.09));
-  const float unit = static_cast<float>(kUsualSide / 1024);
-  const std::vector<PackShape> coarse = makeShapes(outlines, scale, {6 * unit, 8 * unit, reach});
-  const PackLayout layout = searchLayout(coarse, gaps, {}, progress);
+  Sizes sizes = measure(outlines);
+  // The gap is widest across a diagonal; and a place is snug up to some distance.
+  const double reach = std::max(1.5 * gaps.between * sizes.side, 0.09);
+  const std::vector<PackShape> coarse = makeShapes(outlines, sizes, 12, 10, 10000, reach);
+  const std::vector<PackLayout> layouts = searchLayouts(coarse, gaps, 0.85f, progress);
   if (progress.cancelled()) return {};
-  const std::vector<PackShape> fine = makeShapes(
-      outlines, scale,
-      {1.5f * unit, 3 * unit, static_cast<float>(1.45 * gaps.between * kUsualSide) + 4 * unit});
-  std::vector<Placement> packed = fitted(outlines, fine, scale, layout, gaps, progress);
+  sizes.side = layouts.front().side;
+  const std::vector<PackShape> fine =
+      makeShapes(outlines, sizes, 1.5, 3, 40000, 1.5 * gaps.between * sizes.side + 0.004);
+  std::vector<Fitted> fitted(std::min<std::size_t>(layouts.size(), 2));
+  parallelFor(fitted.size(), [&](std::size_t k) {
+    fitted[k] = fit(outlines, fine, sizes.scale, layouts[k], gaps, progress);
+  });
   if (progress.cancelled()) return {};
-  return packed.front().scale > grid.front().scale ? packed : grid;
+  const Fitted& best = fitted.back().scale > fitted.front().scale ? fitted.back() : fitted.front();
+  if (best.scale <= grid.front().scale) return grid;
+  std::vector<Placement> packed;
+  for (const PlacedOutline& chart : best.charts) {
+    Placement place{chart.pose.angle, best.scale, {0, 0}};
+    place.offset = glm::dvec2(chart.pose.x, chart.pose.y) - place.at(chart.center);
+    packed.push_back(place);
+  }
+  return packed;
 }
 
 }  // namespace chartflood

@@ -14,8 +14,11 @@ constexpr double kSideMass = 1.5;
 constexpr float kFullDepth = 0.04f;
 constexpr float kRootTwo = 1.41421357f;
 
-extern "C" float gD0, gC; float gD0 = 0.0005f, gC = 8;
-float pushOf(float depth) { return std::min(depth, kFullDepth) * (1 + std::min(depth / gD0, gC)); }
+/// Force of a point a unit of its length: deep points, which are few, push more than in proportion.
+float pushOf(float depth) {
+  constexpr float kStiffDepth = 1e-4f, kStiffest = 10;
+  return std::min(depth, kFullDepth) * (1 + std::min(depth / kStiffDepth, kStiffest));
+}
 
 }  // namespace
 
@@ -37,9 +40,8 @@ void Squeezer::findPairs(const PackLayout& layout, double skin) {
   std::vector<Index> byX(count);
   for (Index i = 0; i < count; ++i) byX[i] = i;
   const auto left = [&](Index i) { return layout.poses[i].x - shapes_[i].radius; };
-  std::sort(byX.begin(), byX.end(), [&](Index a, Index b) {
-    return left(a) != left(b) ? left(a) < left(b) : a < b;
-  });
+  std::sort(byX.begin(), byX.end(),
+            [&](Index a, Index b) { return left(a) != left(b) ? left(a) < left(b) : a < b; });
   const double reach = gaps_.between * layout.side * kRootTwo + skin;
   for (Index k = 0; k < count; ++k) {
     const Index a = byX[k];
@@ -78,8 +80,8 @@ void Squeezer::pushFromField(Index fieldOf, Index pointsOf) {
     if (rx < -size || ry < -size || rx > right + size || ry > top + size) continue;
     const int ni = std::clamp(static_cast<int>(rx + 0.5f), 0, field.nx - 1);
     const int nj = std::clamp(static_cast<int>(ry + 0.5f), 0, field.ny - 1);
-    const float off = std::max(std::abs(rx - static_cast<float>(ni)),
-                               std::abs(ry - static_cast<float>(nj)));
+    const float off =
+        std::max(std::abs(rx - static_cast<float>(ni)), std::abs(ry - static_cast<float>(nj)));
     if (field.at(ni, nj) > farthest + run.radius + kRootTwo * off * field.cell) continue;
     for (unsigned k = run.begin; k < run.end; ++k) {
       const PackShape::Point& p = other.points[k];
@@ -152,9 +154,13 @@ void Squeezer::computeForces(const PackLayout& layout) {
   wall_ = static_cast<float>((0.5 - gaps_.border) * layout.side);
   for (std::size_t i = 0; i < items_.size(); ++i) {
     const Pose& pose = layout.poses[i];
-    items_[i] = {static_cast<float>(pose.x), static_cast<float>(pose.y),
-                 static_cast<float>(std::cos(pose.angle)), static_cast<float>(std::sin(pose.angle)),
-                 0, 0, 0};
+    items_[i] = {static_cast<float>(pose.x),
+                 static_cast<float>(pose.y),
+                 static_cast<float>(std::cos(pose.angle)),
+                 static_cast<float>(std::sin(pose.angle)),
+                 0,
+                 0,
+                 0};
   }
   energy_ = 0, sideForce_ = 0, depth_ = 0;
   for (const auto& [a, b] : pairs_) {
@@ -163,8 +169,8 @@ void Squeezer::computeForces(const PackLayout& layout) {
   }
   for (Index i = 0; i < items_.size(); ++i) pushFromWalls(i);
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    sideForce_ += (items_[i].fx * layout.poses[i].x + items_[i].fy * layout.poses[i].y) /
-                  layout.side;
+    sideForce_ +=
+        (items_[i].fx * layout.poses[i].x + items_[i].fy * layout.poses[i].y) / layout.side;
   }
 }
 
@@ -185,8 +191,7 @@ void Squeezer::step(PackLayout& layout, double pressure) {
     speedSquare += velocity_[k] * velocity_[k];
   }
   if (power > 0) {
-    const double along =
-        forceSquare > 0 ? mixing_ * std::sqrt(speedSquare / forceSquare) : 0;
+    const double along = forceSquare > 0 ? mixing_ * std::sqrt(speedSquare / forceSquare) : 0;
     for (std::size_t k = 0; k < force_.size(); ++k) {
       velocity_[k] = (1 - mixing_) * velocity_[k] + along * force_[k];
     }
@@ -200,16 +205,16 @@ void Squeezer::step(PackLayout& layout, double pressure) {
   for (std::size_t i = 0; i < count; ++i) {
     const double radius = shapes_[i].radius;
     for (int k = 0; k < 3; ++k) {
-      farthest = std::max(farthest, std::abs(velocity_[3 * i + k] * inverseRoot_[3 * i + k]) * (k == 2 ? radius : 1.0));
+      farthest = std::max(farthest, std::abs(velocity_[3 * i + k] * inverseRoot_[3 * i + k]) *
+                                        (k == 2 ? radius : 1.0));
     }
   }
   if (farthest * dt_ > 0.01) {
     const double slow = 0.01 / (farthest * dt_);
     for (double& v : velocity_) v *= slow;
   }
-  const double newSide =
-      std::max(layout.side + dt_ * velocity_[3 * count] * inverseRoot_[3 * count],
-               0.5 * layout.side);
+  const double newSide = std::max(
+      layout.side + dt_ * velocity_[3 * count] * inverseRoot_[3 * count], 0.5 * layout.side);
   const double grow = newSide / layout.side;
   for (std::size_t i = 0; i < count; ++i) {
     Pose& pose = layout.poses[i];

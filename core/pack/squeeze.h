@@ -29,7 +29,8 @@ struct PackGaps {
 };
 
 struct SqueezeOptions {
-  double pressure = 0;  ///< force on the walls; what shapes are pressed into each other grows with it
+  double pressure =
+      0;  ///< force on the walls; what shapes are pressed into each other grows with it
   int steps = 0;
 };
 

@@ -132,8 +132,7 @@ RasterCheck checkRaster(const LaidCharts& laid, const Atlas& atlas, int size, in
       const int x1 = static_cast<int>(std::floor(std::max({p[0].x, p[1].x, p[2].x})));
       const int y0 = static_cast<int>(std::floor(std::min({p[0].y, p[1].y, p[2].y})));
       const int y1 = static_cast<int>(std::floor(std::max({p[0].y, p[1].y, p[2].y})));
-      check.emptyBorder =
-          std::min({check.emptyBorder, x0, y0, size - 1 - x1, size - 1 - y1});
+      check.emptyBorder = std::min({check.emptyBorder, x0, y0, size - 1 - x1, size - 1 - y1});
       for (int y = std::max(y0, 0); y <= std::min(y1, size - 1); ++y) {
         for (int x = std::max(x0, 0); x <= std::min(x1, size - 1); ++x) {
           if (!touches(p, x, y)) continue;
