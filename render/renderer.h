@@ -181,6 +181,7 @@ class Renderer {
   void drawUvGround(const Frame& frame, const UvCamera& camera);
   void drawUvLines(const Frame& frame, const UvStyle& style);
   void drawUvOutline(const Frame& frame, const SegmentRange& range, float width);
+  void addUvTicks(const Frame& frame, const UvCamera& camera);
   void addUvNumbers(const Frame& frame, const UvCamera& camera);
   const std::vector<ChartLabel>& uvLabels();
   void drawMarks(const Frame& frame);

@@ -27,6 +27,10 @@ RenderSettings uvSettings(const AppState& state, float pixelScale) {
   return settings;
 }
 
+bool UvView::ready(const AppState& state) const {
+  return state.results().charts && state.results().atlas;
+}
+
 void UvView::draw(const Shown& wanted) {
   const auto start = std::chrono::steady_clock::now();
   const bool fits = shown_ && shown_->width == wanted.width && shown_->height == wanted.height &&

@@ -17,6 +17,8 @@ namespace chartflood {
 class UvSource {
  public:
   virtual ~UvSource() = default;
+  /// Whether charts lie flat.
+  virtual bool ready(const AppState& state) const = 0;
   /// The picture at this size in pixels. `elsewhere`: something else moves just now, so that a slow
   /// picture may stay as it was.
   virtual ImTextureID picture(const AppState& state, int width, int height, float pixelScale,
@@ -33,6 +35,7 @@ class UvView : public UvSource {
   /// Needs the scene's GL context in every call; the scene takes the results in.
   explicit UvView(SceneView& scene) : scene_(scene) {}
 
+  bool ready(const AppState& state) const override;
   ImTextureID picture(const AppState& state, int width, int height, float pixelScale,
                       bool elsewhere) override;
   Pick pick(int x, int y) override;

@@ -24,7 +24,6 @@ struct UvRectangle {
 };
 
 Pick pickAt(UvSource* source, const UvRectangle& view, ImVec2 place) {
-  if (source == nullptr) return {};
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
   return source->pick(static_cast<int>((place.x - view.min.x) * scale.x),
                       static_cast<int>((place.y - view.min.y) * scale.y));
@@ -99,9 +98,10 @@ void drawMissing(const Ui& ui) {
   textButton(ui, "Unwrap", "unwrap", {width, ui.px(32)});
 }
 
-std::string figures(const Atlas& atlas) {
+std::string figures(const Atlas* atlas) {
+  if (atlas == nullptr) return "";
   char text[96];
-  std::snprintf(text, sizeof text, "%.0f %% of the texture used", 100 * atlas.efficiency);
+  std::snprintf(text, sizeof text, "%.0f %% of the texture used", 100 * atlas->efficiency);
   return text;
 }
 
@@ -109,7 +109,7 @@ std::string figures(const Atlas& atlas) {
 void drawCaption(const Ui& ui, const UvRectangle& view) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushFont(ui.theme.small);
-  const std::string left = figures(*ui.state.results().atlas);
+  const std::string left = figures(ui.state.results().atlas.get());
   const char* right = "Wheel: closer   Drag: move   F: all";
   const float y = view.max.y - ui.px(19), pad = ui.px(8);
   list.AddRectFilled({view.min.x, y - ui.px(5)}, view.max,
@@ -132,8 +132,7 @@ void leaveUv(const Ui& ui, UvMouse& mouse) {
 }
 
 void uvPanel(const Ui& ui, UvSource* source, UvMouse& mouse, bool elsewhere) {
-  const Results& results = ui.state.results();
-  if (!results.charts || !results.atlas) {
+  if (source == nullptr || !source->ready(ui.state)) {
     leaveUv(ui, mouse);
     return drawMissing(ui);
   }
@@ -145,14 +144,12 @@ void uvPanel(const Ui& ui, UvSource* source, UvMouse& mouse, bool elsewhere) {
                              ImGuiButtonFlags_MouseButtonMiddle);
   ui.probe.item("uv");
   useMouse(ui, source, view, mouse);
-  if (source != nullptr) {
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const bool busy = elsewhere || ui.state.playback.playing() || ui.state.status().busy;
-    const ImTextureID picture =
-        source->picture(ui.state, static_cast<int>(size.x * scale.x),
-                        static_cast<int>(size.y * scale.y), ui.theme.scale, busy);
-    ImGui::GetWindowDrawList()->AddImage(picture, view.min, view.max, {0, 1}, {1, 0});
-  }
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const bool busy = elsewhere || ui.state.playback.playing() || ui.state.status().busy;
+  const ImTextureID picture =
+      source->picture(ui.state, static_cast<int>(size.x * scale.x),
+                      static_cast<int>(size.y * scale.y), ui.theme.scale, busy);
+  ImGui::GetWindowDrawList()->AddImage(picture, view.min, view.max, {0, 1}, {1, 0});
   drawCaption(ui, view);
 }
 
