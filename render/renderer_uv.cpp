@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 
-#include "core/base/check.h"
 #include "render/color_map.h"
 #include "render/renderer.h"
 #include "render/renderer_colors.h"
@@ -55,39 +55,26 @@ void Renderer::drawUv(const gl::Framebuffer& target, const UvCamera& camera,
 void Renderer::drawUv(const gl::Framebuffer& target, const UvCamera& camera,
                       const RenderSettings& settings, const UvStyle& style,
                       const PicturePart& part) {
-  CF_CHECK(part.width == target.width() && part.height == target.height());
-  // Worked out before the target is bound: it draws a picture of its own.
-  if (uv_ && settings.numbers) uvLabels();
-  const gl::FramebufferScope keep;
-  lastSettings_ = settings;
-  if (mesh_) charts_->update(settings, flood_->longestTime());
-  Frame frame{settings, makeEye(camera, part), 0, true};
-  frame.dash = dashLength(frame.eye.pixel, settings);
-  useColorMap(settings);
-  target.bindForDrawing();
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_DEPTH_TEST);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT);
-  glDisable(GL_BLEND);
-  drawBackground(frame);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  if (style.frame) drawUvGround(frame, camera);
-  if (uv_ && style.fill) drawSurface(frame, 0, mesh_->triangleCount());
-  if (uv_) drawUvLines(frame, style);
+  beginDrawingUv(target, camera, settings, style, part);
+  continueDrawing(std::numeric_limits<double>::infinity());
+}
+
+void Renderer::beginDrawingUv(const gl::Framebuffer& target, const UvCamera& camera,
+                              const RenderSettings& settings, const UvStyle& style,
+                              const PicturePart& part) {
+  begin({&target, {}, settings, part, true, camera, style});
+}
+
+/// All that lies over the charts.
+void Renderer::finishUv(const Frame& frame, const Unfinished& picture) {
+  const RenderSettings& settings = frame.settings;
+  if (uv_) drawUvLines(frame, picture.uvStyle);
   overlay_.clear();
-  if (style.frame) addUvTicks(frame, camera);
-  if (uv_ && settings.numbers) addUvNumbers(frame, camera);
+  if (picture.uvStyle.frame) addUvTicks(frame, picture.uvCamera);
+  if (uv_ && settings.numbers) addUvNumbers(frame, picture.uvCamera);
   const std::optional<ScalarRange> range = scalarRange(settings);
   if (uv_ && settings.scalarBar && range) addScalarBar(frame, *range);
   overlay_.draw(frame.eye.viewport, frame.eye.tile, units::kColorMap, settings.colorSteps);
-  glDisable(GL_BLEND);
-  glUseProgram(0);
-  glActiveTexture(GL_TEXTURE0);
-  target.resolve();
 }
 
 /// The texture's square on a grid, with numbers at its border. Lines are whole pixels wide.
@@ -193,11 +180,13 @@ void Renderer::addUvNumbers(const Frame& frame, const UvCamera& camera) {
   TextStyle style;
   style.color = glm::vec4(1);
   style.halo = glm::vec4(0.04f, 0.04f, 0.05f, 0.9f);
-  for (const ChartLabel& label : uvLabels()) {
+  for (const ChartLabel& label : uv_->layout().places) {
+    const Index chart = charts_->chartOf(uv_->layout().firstTriangle[label.chart]);
+    if (chart == kNone || contains(settings.hiddenCharts, chart)) continue;
     // Numbers of small charts are smaller, down to what can be read.
     style.size = std::min(largest, 1.5f * label.room * unit);
-    if (style.size < 0.6f * largest || contains(settings.hiddenCharts, label.chart)) continue;
-    overlay_.text(glm::vec2(camera.toPixel(label.place, size)), std::to_string(label.chart), style,
+    if (style.size < 0.6f * largest) continue;
+    overlay_.text(glm::vec2(camera.toPixel(label.place, size)), std::to_string(chart), style,
                   TextAlign::Center);
   }
 }

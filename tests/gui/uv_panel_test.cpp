@@ -14,9 +14,7 @@ namespace {
 template <typename Base>
 class Halves : public Base {
  public:
-  Pick pick(int x, int y) override {
-    ++picks;
-    if (y < 0) return {};
+  Pick half(int x) const {
     Pick pick;
     pick.triangle = pick.face = 2 * x < width ? 7 : 40;
     pick.chart = 2 * x < width ? 0 : 3;
@@ -27,7 +25,7 @@ class Halves : public Base {
     hovered = state.hoveredFace;
     selected = state.selectedChart;
   }
-  int width = 1, picks = 0;
+  int width = 1;
   Index hovered = kNone, selected = kNone;  ///< in the last picture
 };
 
@@ -37,21 +35,28 @@ class FakeScene : public Halves<SceneSource> {
     note(state, w);
     return nullptr;
   }
+  Pick pick(int x, int) override { return half(x); }
   double pickSeconds() const override { return 0; }
 };
 
 class FakeUv : public Halves<UvSource> {
  public:
   bool ready(const AppState&) const override { return flat; }
-  ImTextureID picture(const AppState& state, int w, int h, float, bool) override {
+  UvPicture picture(const AppState& state, int w, int h, float, UvMotion moving) override {
     note(state, w);
     settings = uvSettings(state, 1);
-    height = h;
-    return nullptr;
+    motion = moving;
+    return {nullptr, state.view.uvCamera, w, h};
+  }
+  Pick pick(const AppState&, int x, int) override { return half(x); }
+  const UvHighlight& highlight(const AppState& state) override {
+    hovered = state.hoveredFace;
+    return nothing;
   }
   bool flat = true;
-  int height = 1;
+  UvMotion motion = UvMotion::None;
   RenderSettings settings;
+  UvHighlight nothing;
 };
 
 class UvPanel : public ::testing::Test {
@@ -133,6 +138,9 @@ TEST_F(UvPanel, TheWheelKeepsThePlaceUnderTheMouse) {
   EXPECT_LT(after.span, 0.7 * before.span);
   EXPECT_NEAR(glm::distance(after.toUv(pixel, size()), before.toUv(pixel, size())), 0, 1e-6);
   EXPECT_EQ(ui.state().selectedChart, kNone);
+  EXPECT_EQ(uv.motion, UvMotion::Own);
+  ui.frames(15);
+  EXPECT_EQ(uv.motion, UvMotion::None);
 }
 
 TEST_F(UvPanel, DragMovesAndDoesNotSelect) {

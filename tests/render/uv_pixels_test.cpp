@@ -225,14 +225,18 @@ TEST_F(UvPixels, WithoutTextureOnlyTheGroundIsDrawn) {
   EXPECT_FALSE(pickAt({150, 150}).hit());
 }
 
-TEST_F(UvPixels, APictureOfTheModelUnderWayIsNotSpoilt) {
-  const RenderSettings settings = flat(ColorMode::Charts);
-  const Image wanted = draw(settings);
-  const gl::Framebuffer target(kWidth, kHeight, 1);
-  renderer_->beginDrawing(target, camera_, settings, PicturePart::whole(kWidth, kHeight));
-  drawUv(flat(ColorMode::Checkerboard));
-  while (!renderer_->continueDrawing(0.001)) drawUv(flat(ColorMode::Shaded));
-  EXPECT_EQ(readFramebuffer(target), wanted);
+TEST_F(UvPixels, APictureDrawnInPiecesIsTheSame) {
+  RenderSettings settings = flat(ColorMode::Charts);
+  settings.seams = settings.numbers = true;
+  const gl::Framebuffer target(kSize, kSize, 1), other(kSize, kSize, 1);
+  const PicturePart whole = PicturePart::whole(kSize, kSize);
+  renderer_->drawUv(target, uvCamera_, settings, {});
+  const Image wanted = readFramebuffer(target);
+  renderer_->beginDrawingUv(other, uvCamera_, settings, {}, whole);
+  EXPECT_TRUE(renderer_->drawing(other));
+  EXPECT_FALSE(renderer_->drawing(target));
+  while (!renderer_->continueDrawing(1e-4)) pickAt({100, 100});
+  EXPECT_EQ(readFramebuffer(other), wanted);
 }
 
 }  // namespace
