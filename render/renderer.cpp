@@ -87,9 +87,7 @@ void Renderer::setGaussValues(const GaussValues& values) {
 }
 
 void Renderer::setSegmentation(const Segmentation* segmentation) {
-  if (!mesh_) return;
-  charts_->setSegmentation(segmentation);
-  if (uv_) uv_->forgetLabels();
+  if (mesh_) charts_->setSegmentation(segmentation);
 }
 
 void Renderer::setFlood(std::shared_ptr<const FloodRecord> record, std::size_t most) {

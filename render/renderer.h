@@ -109,6 +109,10 @@ class Renderer {
   /// framebuffer must stay where it is until then.
   void beginDrawing(const gl::Framebuffer& target, const Camera& camera,
                     const RenderSettings& settings, const PicturePart& part);
+  /// The same for a picture of the texture.
+  void beginDrawingUv(const gl::Framebuffer& target, const UvCamera& camera,
+                      const RenderSettings& settings, const UvStyle& style,
+                      const PicturePart& part);
   /// Goes on for about so many seconds, by what the driver has really done; true when the picture
   /// is ready or none was begun.
   bool continueDrawing(double seconds);
@@ -117,6 +121,10 @@ class Renderer {
   void warmUp(const RenderSettings& settings, std::span<const int> samples);
   /// True while a picture waits for continueDrawing().
   bool drawing() const { return unfinished_.has_value(); }
+  /// True while it is the one in this framebuffer.
+  bool drawing(const gl::Framebuffer& target) const {
+    return unfinished_ && unfinished_->target == &target;
+  }
 
   /// What lies under pixel (x, y), counted from the top left, of a picture. Charts that the last
   /// draw() hid are seen through.
@@ -132,6 +140,8 @@ class Renderer {
   std::vector<Index> triangleImage(const UvCamera& camera, int width, int height);
 
   bool hasUv() const { return uv_.has_value(); }
+  /// What pictures of the texture are drawn from; null without a texture.
+  const UvLayout* textureLayout() const { return uv_ ? &uv_->layout() : nullptr; }
   const Mesh* mesh() const { return mesh_.get(); }
   const BoundingSphere& bounds() const { return bounds_; }
   /// Colour of a chart as drawn, sRGB in [0, 1]; grey for a chart not known yet.
@@ -156,12 +166,17 @@ class Renderer {
     Camera camera;
     RenderSettings settings;
     PicturePart part;
+    bool inTexture = false;
+    UvCamera uvCamera = {};  ///< of a picture of the texture
+    UvStyle uvStyle = {};
     std::size_t nextTriangle = 0;
-    std::size_t pieceSize;  ///< triangles, by what the last piece took
+    std::size_t pieceSize = 16'000;  ///< triangles, by what the last piece took
   };
 
-  Frame frameOf(const RenderSettings& settings, const Camera& camera,
-                const PicturePart& part) const;
+  Frame frameOf(const Unfinished& picture) const;
+  void begin(Unfinished picture);
+  void finishScene(const Frame& frame, const Camera& camera);
+  void finishUv(const Frame& frame, const Unfinished& picture);
   static float dashLength(float pixel, const RenderSettings& settings);
   Index shownChart(Index triangle, const RenderSettings& settings) const;
   unsigned hoveredChart(const RenderSettings& settings) const;
@@ -181,8 +196,8 @@ class Renderer {
   void drawUvGround(const Frame& frame, const UvCamera& camera);
   void drawUvLines(const Frame& frame, const UvStyle& style);
   void drawUvOutline(const Frame& frame, const SegmentRange& range, float width);
+  void addUvTicks(const Frame& frame, const UvCamera& camera);
   void addUvNumbers(const Frame& frame, const UvCamera& camera);
-  const std::vector<ChartLabel>& uvLabels();
   void drawMarks(const Frame& frame);
   void uploadSeeds(const RenderSettings& settings);
   void drawOverlay(const Frame& frame, const Camera& camera);

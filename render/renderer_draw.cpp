@@ -11,12 +11,6 @@
 
 namespace chartflood {
 
-namespace {
-
-constexpr std::size_t kFirstPiece = 16'000;  // triangles, while nothing is known of the driver
-
-}  // namespace
-
 void Renderer::warmUp(const RenderSettings& settings, std::span<const int> samples) {
   if (!mesh_) return;
   constexpr int kSize = 8;
@@ -33,7 +27,7 @@ void Renderer::warmUp(const RenderSettings& settings, std::span<const int> sampl
       useColorMap(wanted);
       glEnable(GL_BLEND);
       glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-      drawSurface(frameOf(wanted, camera, unfinished_->part), 0, 1);
+      drawSurface(frameOf(*unfinished_), 0, 1);
       glDisable(GL_BLEND);
       glFinish();
       unfinished_.reset();
@@ -52,11 +46,16 @@ Index Renderer::shownChart(Index triangle, const RenderSettings& settings) const
   return taken.x < *settings.playhead ? taken.y : kNone;
 }
 
-Renderer::Frame Renderer::frameOf(const RenderSettings& settings, const Camera& camera,
-                                  const PicturePart& part) const {
-  Frame frame{settings, makeEye(camera, bounds_, part), 0, false};
-  const double distance = camera.orthographic ? 1 : camera.distance;
-  frame.dash = dashLength(frame.eye.pixel * static_cast<float>(distance), settings);
+Renderer::Frame Renderer::frameOf(const Unfinished& picture) const {
+  Frame frame{picture.settings, {}, 0, picture.inTexture};
+  if (picture.inTexture) {
+    frame.eye = makeEye(picture.uvCamera, picture.part);
+    frame.dash = dashLength(frame.eye.pixel, picture.settings);
+    return frame;
+  }
+  frame.eye = makeEye(picture.camera, bounds_, picture.part);
+  const double distance = picture.camera.orthographic ? 1 : picture.camera.distance;
+  frame.dash = dashLength(frame.eye.pixel * static_cast<float>(distance), picture.settings);
   return frame;
 }
 
@@ -78,11 +77,15 @@ void Renderer::draw(const gl::Framebuffer& target, const Camera& camera,
 
 void Renderer::beginDrawing(const gl::Framebuffer& target, const Camera& camera,
                             const RenderSettings& settings, const PicturePart& part) {
-  CF_CHECK(part.width == target.width() && part.height == target.height());
+  begin({&target, camera, settings, part});
+}
+
+void Renderer::begin(Unfinished picture) {
+  const gl::Framebuffer& target = *picture.target;
+  CF_CHECK(picture.part.width == target.width() && picture.part.height == target.height());
   const gl::FramebufferScope keep;
-  lastSettings_ = settings;
-  if (mesh_) charts_->update(settings, flood_->longestTime());
-  unfinished_.emplace(Unfinished{&target, camera, settings, part, 0, kFirstPiece});
+  lastSettings_ = picture.settings;
+  unfinished_.emplace(std::move(picture));
   target.bindForDrawing();
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_CULL_FACE);
@@ -92,14 +95,20 @@ void Renderer::beginDrawing(const gl::Framebuffer& target, const Camera& camera,
   glClearColor(0, 0, 0, 0);
   glClearDepth(1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  drawBackground(frameOf(settings, camera, part));
+  const Frame frame = frameOf(*unfinished_);
+  drawBackground(frame);
+  if (!frame.inTexture || !unfinished_->uvStyle.frame) return;
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  drawUvGround(frame, unfinished_->uvCamera);
+  glDisable(GL_BLEND);
 }
 
 bool Renderer::continueDrawing(double seconds) {
   if (!unfinished_) return true;
   const gl::FramebufferScope keep;
   Unfinished& picture = *unfinished_;
-  const Frame frame = frameOf(picture.settings, picture.camera, picture.part);
+  const Frame frame = frameOf(picture);
   useColorMap(picture.settings);
   picture.target->bindForDrawing();
   glDisable(GL_SCISSOR_TEST);
@@ -109,16 +118,16 @@ bool Renderer::continueDrawing(double seconds) {
   glDepthFunc(GL_LEQUAL);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // colours are premultiplied
-  glEnable(GL_DEPTH_TEST);
+  if (frame.inTexture)
+    glDisable(GL_DEPTH_TEST);
+  else
+    glEnable(GL_DEPTH_TEST);
   if (mesh_) charts_->update(picture.settings, flood_->longestTime());
   const bool ready = drawSurfacePieces(frame, picture, seconds);
-  if (ready && mesh_) {
-    glDepthMask(GL_FALSE);
-    drawLines(frame);
-    drawMarks(frame);
-    glDepthMask(GL_TRUE);
-    drawOverlay(frame, picture.camera);
-  }
+  if (ready && frame.inTexture)
+    finishUv(frame, picture);
+  else if (ready && mesh_)
+    finishScene(frame, picture.camera);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);
   glUseProgram(0);
@@ -129,9 +138,17 @@ bool Renderer::continueDrawing(double seconds) {
   return true;
 }
 
+void Renderer::finishScene(const Frame& frame, const Camera& camera) {
+  glDepthMask(GL_FALSE);
+  drawLines(frame);
+  drawMarks(frame);
+  glDepthMask(GL_TRUE);
+  drawOverlay(frame, camera);
+}
+
 /// True when the whole surface is drawn.
 bool Renderer::drawSurfacePieces(const Frame& frame, Unfinished& picture, double seconds) {
-  if (!mesh_) return true;
+  if (!mesh_ || (frame.inTexture && (!uv_ || !picture.uvStyle.fill))) return true;
   if (seconds == std::numeric_limits<double>::infinity()) {
     drawSurface(frame, picture.nextTriangle, mesh_->triangleCount());
     return true;

@@ -152,29 +152,4 @@ std::vector<Index> Renderer::triangleImage(const UvCamera& camera, int width, in
                  width, height);
 }
 
-const std::vector<ChartLabel>& Renderer::uvLabels() {
-  if (uv_->labels()) return *uv_->labels();
-  constexpr int kSide = 768;  // of the picture that is searched
-  const UvLayout& layout = uv_->layout();
-  UvCamera camera;
-  camera.center = 0.5f * (layout.low + layout.high);
-  camera.span = std::max(
-      {layout.high.x - layout.low.x, layout.high.y - layout.low.y, float(UvCamera::kLeastSpan)});
-  const RenderSettings all;  // hidden charts too: places do not depend on what is shown
-  std::vector<Index> chart =
-      fromTop(drawIds(idUvProgram_, makeEye(camera, PicturePart::whole(kSide, kSide)), kSide, kSide,
-                      all, nullptr),
-              kSide, kSide);
-  for (Index& pixel : chart) {
-    if (pixel != kNone) pixel = charts_->chartOf(pixel);
-  }
-  std::vector<ChartLabel> labels = interiorPlaces(chart, kSide, kSide, charts_->chartCount());
-  for (ChartLabel& label : labels) {
-    label.place = glm::vec2(camera.toUv(label.place, glm::dvec2(kSide)));
-    label.room *= static_cast<float>(camera.span / kSide);
-  }
-  uv_->setLabels(std::move(labels));
-  return *uv_->labels();
-}
-
 }  // namespace chartflood

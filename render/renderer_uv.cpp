@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 
-#include "core/base/check.h"
 #include "render/color_map.h"
 #include "render/renderer.h"
 #include "render/renderer_colors.h"
@@ -55,40 +55,26 @@ void Renderer::drawUv(const gl::Framebuffer& target, const UvCamera& camera,
 void Renderer::drawUv(const gl::Framebuffer& target, const UvCamera& camera,
                       const RenderSettings& settings, const UvStyle& style,
                       const PicturePart& part) {
-  CF_CHECK(part.width == target.width() && part.height == target.height());
-  // Worked out before the target is bound: it draws a picture of its own.
-  if (uv_ && settings.numbers) uvLabels();
-  const gl::FramebufferScope keep;
-  lastSettings_ = settings;
-  if (mesh_) charts_->update(settings, flood_->longestTime());
-  Frame frame{settings, makeEye(camera, part), 0, true};
-  frame.dash = dashLength(frame.eye.pixel, settings);
-  useColorMap(settings);
-  target.bindForDrawing();
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_DEPTH_TEST);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT);
-  glDisable(GL_BLEND);
-  drawBackground(frame);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  if (style.frame) drawUvGround(frame, camera);
-  if (uv_) {
-    if (style.fill) drawSurface(frame, 0, mesh_->triangleCount());
-    drawUvLines(frame, style);
-    overlay_.clear();
-    if (settings.numbers) addUvNumbers(frame, camera);
-    const std::optional<ScalarRange> range = scalarRange(settings);
-    if (settings.scalarBar && range) addScalarBar(frame, *range);
-    overlay_.draw(frame.eye.viewport, frame.eye.tile, units::kColorMap, settings.colorSteps);
-  }
-  glDisable(GL_BLEND);
-  glUseProgram(0);
-  glActiveTexture(GL_TEXTURE0);
-  target.resolve();
+  beginDrawingUv(target, camera, settings, style, part);
+  continueDrawing(std::numeric_limits<double>::infinity());
+}
+
+void Renderer::beginDrawingUv(const gl::Framebuffer& target, const UvCamera& camera,
+                              const RenderSettings& settings, const UvStyle& style,
+                              const PicturePart& part) {
+  begin({&target, {}, settings, part, true, camera, style});
+}
+
+/// All that lies over the charts.
+void Renderer::finishUv(const Frame& frame, const Unfinished& picture) {
+  const RenderSettings& settings = frame.settings;
+  if (uv_) drawUvLines(frame, picture.uvStyle);
+  overlay_.clear();
+  if (picture.uvStyle.frame) addUvTicks(frame, picture.uvCamera);
+  if (uv_ && settings.numbers) addUvNumbers(frame, picture.uvCamera);
+  const std::optional<ScalarRange> range = scalarRange(settings);
+  if (uv_ && settings.scalarBar && range) addScalarBar(frame, *range);
+  overlay_.draw(frame.eye.viewport, frame.eye.tile, units::kColorMap, settings.colorSteps);
 }
 
 /// The texture's square on a grid, with numbers at its border. Lines are whole pixels wide.
@@ -97,44 +83,61 @@ void Renderer::drawUvGround(const Frame& frame, const UvCamera& camera) {
   const glm::dvec2 size(frame.eye.viewport);
   const glm::vec3 ink = inkOn(settings.background);
   const float line = std::max(1.0f, std::round(settings.pixelScale));
-  const glm::dvec2 low = camera.toUv({0, size.y}, size), high = camera.toUv({size.x, 0}, size);
-  const glm::vec2 corner = glm::round(glm::vec2(camera.toPixel({0, 1}, size)));
-  const glm::vec2 opposite = glm::round(glm::vec2(camera.toPixel({1, 0}, size)));
+  const glm::vec2 low = glm::round(glm::vec2(camera.toPixel({0, 1}, size)));
+  const glm::vec2 high = glm::round(glm::vec2(camera.toPixel({1, 0}, size)));
   overlay_.clear();
   if (!settings.background.transparent) {
-    overlay_.rectangle(corner, opposite - corner, glm::vec4(ink, 0.045f));
+    overlay_.rectangle(low, high - low, glm::vec4(ink, 0.045f));
   }
+  const double step = gridStep(camera.pixelsPerUnit(size) / double{settings.pixelScale});
+  const glm::dvec2 first = glm::ceil(camera.toUv({0, size.y}, size) / step);
+  const glm::dvec2 last = glm::floor(camera.toUv({size.x, 0}, size) / step);
+  const glm::vec4 faint(ink, 0.055f), border(ink, 0.5f);
+  for (double i = first.x; i <= last.x; ++i) {
+    const double x = std::round(camera.toPixel({i * step, 0}, size).x);
+    overlay_.rectangle({x, 0}, {line, size.y}, faint);
+  }
+  for (double i = first.y; i <= last.y; ++i) {
+    const double y = std::round(camera.toPixel({0, i * step}, size).y);
+    overlay_.rectangle({0, y}, {size.x, line}, faint);
+  }
+  const glm::vec2 span = high - low;
+  overlay_.rectangle(low - line, {span.x + 2 * line, line}, border);
+  overlay_.rectangle({low.x - line, high.y}, {span.x + 2 * line, line}, border);
+  overlay_.rectangle({low.x - line, low.y}, {line, span.y}, border);
+  overlay_.rectangle({high.x, low.y}, {line, span.y}, border);
+  overlay_.draw(frame.eye.viewport, frame.eye.tile, units::kColorMap, 0);
+}
+
+/// Numbers below and left of the texture's square, or at the picture's border when that is nearer.
+void Renderer::addUvTicks(const Frame& frame, const UvCamera& camera) {
+  const RenderSettings& settings = frame.settings;
+  const glm::dvec2 size(frame.eye.viewport);
+  const glm::vec3 ink = inkOn(settings.background);
   TextStyle text;
   text.size = 0.85f * settings.textSize * settings.pixelScale;
-  text.color = glm::vec4(ink, 0.62f);
-  text.halo = glm::vec4(0);
+  text.color = glm::vec4(ink, 0.75f);
+  text.halo = glm::vec4(glm::vec3(1) - ink, settings.background.transparent ? 0.0f : 0.55f);
   const double step = gridStep(camera.pixelsPerUnit(size) / double{settings.pixelScale});
-  const float gap = 0.5f * text.size;
-  const float row = std::clamp(opposite.y + gap + 0.5f * text.size, text.size,
-                               static_cast<float>(size.y) - text.size);
-  const float column = std::clamp(corner.x - gap, 2.6f * text.size, static_cast<float>(size.x));
-  const auto wide = static_cast<float>(size.x), tall = static_cast<float>(size.y);
-  for (double i = std::ceil(low.x / step); i * step <= high.x; ++i) {
-    const auto x = static_cast<float>(std::round(camera.toPixel({i * step, 0}, size).x));
-    overlay_.rectangle({x, 0}, {line, tall}, glm::vec4(ink, 0.055f));
-    if (i > -0.5 && i * step < 1 + 1e-9) {
-      overlay_.text({x, row}, numberText(i * step), text, TextAlign::Center);
-    }
+  const glm::dvec2 low = glm::max(camera.toUv({0, size.y}, size), glm::dvec2(0));
+  const glm::dvec2 high = glm::min(camera.toUv({size.x, 0}, size), glm::dvec2(1));
+  const glm::vec2 corner(camera.toPixel({0, 0}, size));
+  const float row =
+      std::clamp(corner.y + 1.1f * text.size, text.size, static_cast<float>(size.y) - text.size);
+  for (double i = std::ceil(low.y / step - 1e-9); i * step <= high.y + 1e-9; ++i) {
+    const auto y = static_cast<float>(camera.toPixel({0, i * step}, size).y);
+    const std::string number = numberText(i * step);
+    const float least = overlay_.textWidth(number, text.size) + 0.4f * text.size;
+    const float x = std::clamp(corner.x - 0.5f * text.size, least, static_cast<float>(size.x));
+    if (y < row - text.size) overlay_.text({x, y}, number, text, TextAlign::Right);
   }
-  for (double i = std::ceil(low.y / step); i * step <= high.y; ++i) {
-    const auto y = static_cast<float>(std::round(camera.toPixel({0, i * step}, size).y));
-    overlay_.rectangle({0, y}, {wide, line}, glm::vec4(ink, 0.055f));
-    if (i > -0.5 && i * step < 1 + 1e-9) {
-      overlay_.text({column, y}, numberText(i * step), text, TextAlign::Right);
-    }
+  for (double i = std::ceil(low.x / step - 1e-9); i * step <= high.x + 1e-9; ++i) {
+    const auto x = static_cast<float>(camera.toPixel({i * step, 0}, size).x);
+    const std::string number = numberText(i * step);
+    const float half = 0.5f * overlay_.textWidth(number, text.size);
+    if (x < half || x + half > static_cast<float>(size.x)) continue;  // would be cut off
+    overlay_.text({x, row}, number, text, TextAlign::Center);
   }
-  const glm::vec4 border(ink, 0.5f);
-  const glm::vec2 span = opposite - corner;
-  overlay_.rectangle(corner - line, {span.x + 2 * line, line}, border);
-  overlay_.rectangle({corner.x - line, opposite.y}, {span.x + 2 * line, line}, border);
-  overlay_.rectangle({corner.x - line, corner.y}, {line, span.y}, border);
-  overlay_.rectangle({opposite.x, corner.y}, {line, span.y}, border);
-  overlay_.draw(frame.eye.viewport, frame.eye.tile, units::kColorMap, 0);
 }
 
 void Renderer::drawUvOutline(const Frame& frame, const SegmentRange& range, float width) {
@@ -177,11 +180,13 @@ void Renderer::addUvNumbers(const Frame& frame, const UvCamera& camera) {
   TextStyle style;
   style.color = glm::vec4(1);
   style.halo = glm::vec4(0.04f, 0.04f, 0.05f, 0.9f);
-  for (const ChartLabel& label : uvLabels()) {
+  for (const ChartLabel& label : uv_->layout().places) {
+    const Index chart = charts_->chartOf(uv_->layout().firstTriangle[label.chart]);
+    if (chart == kNone || contains(settings.hiddenCharts, chart)) continue;
     // Numbers of small charts are smaller, down to what can be read.
     style.size = std::min(largest, 1.5f * label.room * unit);
-    if (style.size < 0.6f * largest || contains(settings.hiddenCharts, label.chart)) continue;
-    overlay_.text(glm::vec2(camera.toPixel(label.place, size)), std::to_string(label.chart), style,
+    if (style.size < 0.6f * largest) continue;
+    overlay_.text(glm::vec2(camera.toPixel(label.place, size)), std::to_string(chart), style,
                   TextAlign::Center);
   }
 }

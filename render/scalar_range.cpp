@@ -117,8 +117,10 @@ ScalarRange rangeFromZero(std::span<const WeightedValue> values) {
 
 std::vector<ScalarTick> scalarTicks(const ScalarRange& range, int count) {
   if (range.plainEnds) return {{0, "low"}, {1, "high"}};
+  // Less than a decade of logarithms holds too few round numbers; even steps look even there.
+  const bool narrow = range.scale == ScalarScale::Log && range.max < 4 * range.min;
   const std::vector<double> list =
-      range.scale == ScalarScale::Linear ? evenSteps(range, count) : candidates(range);
+      range.scale == ScalarScale::Linear || narrow ? evenSteps(range, count) : candidates(range);
   const double slack = 1e-9 * (range.max - range.min);
   const double apart = 0.8 / std::max(count, 1);
   std::vector<ScalarTick> ticks;

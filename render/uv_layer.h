@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,7 +10,6 @@
 #include <glm/vec3.hpp>
 
 #include "render/gl/objects.h"
-#include "render/label_places.h"
 #include "render/uv_layout.h"
 
 namespace chartflood {
@@ -34,17 +32,11 @@ class UvLayer {
   /// The place on the surface where a triangle has this texture place; normalised units.
   glm::dvec3 surfacePoint(Index triangle, const glm::dvec2& uv) const;
 
-  /// Most interior places of the charts, texture units; nothing until they were worked out.
-  const std::optional<std::vector<ChartLabel>>& labels() const { return labels_; }
-  void setLabels(std::vector<ChartLabel> labels) { labels_ = std::move(labels); }
-  void forgetLabels() { labels_.reset(); }
-
  private:
   std::shared_ptr<const Mesh> mesh_;
   UvLayout layout_;
   std::vector<SegmentRange> outlineOf_;
   std::size_t outlineCount_ = 0, cutCount_ = 0;
-  std::optional<std::vector<ChartLabel>> labels_;
   gl::TextureBuffer outlines_, cuts_;
 };
 

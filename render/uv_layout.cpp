@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include "render/uv_places.h"
+
 namespace chartflood {
 
 namespace {
@@ -130,6 +132,7 @@ UvLayout uvLayout(const Mesh& mesh, std::span<const glm::vec2> uv) {
   findIslands(mesh, layout);
   measureIslands(mesh, layout);
   collectOutlines(mesh, layout);
+  layout.places = islandPlaces(layout);
   return layout;
 }
 

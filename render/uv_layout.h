@@ -13,6 +13,7 @@
 #include "core/base/index.h"
 #include "core/model/mesh.h"
 #include "render/cut_path.h"
+#include "render/label_places.h"
 
 namespace chartflood {
 
@@ -32,6 +33,7 @@ struct UvLayout {
   std::vector<Index> outline;           ///< sides on the border of an island, island after island
   std::vector<SegmentRange> outlineOf;  ///< of each island, in `outline`
   glm::vec2 low{0}, high{1};            ///< box of all places; 0..1 without any
+  std::vector<ChartLabel> places;       ///< for numbers, as islandPlaces() gives them
 
   static constexpr float kNoPlace = -1e30f;
   bool empty() const { return firstTriangle.empty(); }

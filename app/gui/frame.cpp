@@ -13,7 +13,7 @@ namespace chartflood {
 namespace {
 
 constexpr double kNever = 1e9;
-constexpr float kLeftWidth = 330, kRightWidth = 340;
+constexpr float kLeftWidth = 330, kRightWidth = 370;
 constexpr float kLeastPane = 250, kLeastView = 240;
 constexpr float kToolHeight = 46, kTimelineHeight = 70, kStatusHeight = 30;
 

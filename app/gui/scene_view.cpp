@@ -216,7 +216,7 @@ ImTextureID SceneView::picture(const AppState& state, int width, int height, flo
   // A picture under way shows the data that it was begun with, and is finished even when a newer
   // one is wanted: while things move none would ever be otherwise. Only another mesh ends it.
   if (!pending_ || state.results().mesh != mesh_) takeIn(state);
-  if (pending_ && !renderer_.drawing()) pending_.reset();
+  if (pending_ && !renderer_.drawing(back_)) pending_.reset();
   width_ = std::max(1, width);
   height_ = std::max(1, height);
   const int samples = samplesFor(moving);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include <epoxy/gl.h>
 
@@ -12,13 +13,14 @@ namespace chartflood {
 namespace {
 
 constexpr int kSmoothSamples = 4;
-constexpr double kQuick = 0.012;  // seconds; slower pictures wait while something else moves
-constexpr double kSlow = 0.060;   // slower ones do without the face under the mouse
+constexpr double kSmoothWhileMoving = 0.012;  // seconds a smooth picture may take in motion
+constexpr double kSecondsAtOnce = 0.009;      // of drawing before the window is looked after
 
 }  // namespace
 
 RenderSettings uvSettings(const AppState& state, float pixelScale) {
   RenderSettings settings = sceneSettings(state, pixelScale);
+  settings.hoverFace = kNone;  // drawn over the picture
   settings.scalarBar = false;  // it stands beside the model
   settings.numbers = true;
   settings.textSize *= 0.9f;
@@ -27,37 +29,95 @@ RenderSettings uvSettings(const AppState& state, float pixelScale) {
   return settings;
 }
 
-void UvView::draw(const Shown& wanted) {
+bool UvView::ready(const AppState& state) const {
+  return state.results().charts && state.results().atlas;
+}
+
+void UvView::begin(const Shown& wanted) {
+  const bool fits = back_.width() == wanted.width && back_.height() == wanted.height &&
+                    backSamples_ == wanted.samples;
+  if (!fits) back_ = gl::Framebuffer(wanted.width, wanted.height, wanted.samples);
+  backSamples_ = wanted.samples;
+  scene_.renderer().beginDrawingUv(back_, wanted.camera, wanted.settings, wanted.style,
+                                   PicturePart::whole(wanted.width, wanted.height));
+  pending_ = wanted;
+  pendingSeconds_ = 0;
+}
+
+bool UvView::goOn() {
+  if (!pending_) return false;
+  if (!scene_.renderer().drawing(back_)) {  // the scene went first
+    pending_.reset();
+    return true;
+  }
   const auto start = std::chrono::steady_clock::now();
-  const bool fits = shown_ && shown_->width == wanted.width && shown_->height == wanted.height &&
-                    shown_->samples == wanted.samples;
-  if (!fits) target_ = gl::Framebuffer(wanted.width, wanted.height, wanted.samples);
-  scene_.renderer().drawUv(target_, wanted.camera, wanted.settings, wanted.style);
-  glFinish();  // the cost decides on the next pictures
-  seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  glBindTexture(GL_TEXTURE_2D, target_.texture());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  shown_ = wanted;
+  const bool ready = scene_.renderer().continueDrawing(kSecondsAtOnce);
+  if (ready) glFinish();  // the cost decides on the smoothing of the next pictures
+  pendingSeconds_ +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!ready) return false;
+  if (pending_->samples == kSmoothSamples) smoothSeconds_ = pendingSeconds_;
+  lastSeconds_ = pendingSeconds_;
+  glBindTexture(GL_TEXTURE_2D, back_.texture());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  std::swap(front_, back_);
+  std::swap(frontSamples_, backSamples_);
+  shown_ = std::exchange(pending_, std::nullopt);
+  return true;
 }
 
-ImTextureID UvView::picture(const AppState& state, int width, int height, float pixelScale,
-                            bool elsewhere) {
+UvPicture UvView::picture(const AppState& state, int width, int height, float pixelScale,
+                          UvMotion motion) {
   const gl::FramebufferScope keep;
-  Shown wanted{
-      uvSettings(state, pixelScale), state.view.uv,  state.view.uvCamera, std::max(1, width),
-      std::max(1, height),           kSmoothSamples, scene_.content()};
-  if (seconds_ > kSlow) wanted.settings.hoverFace = kNone;
-  const bool sameSize = shown_ && shown_->width == wanted.width && shown_->height == wanted.height;
-  const bool wait = sameSize && seconds_ > kQuick && (elsewhere || scene_.busy()) &&
-                    shown_->camera == wanted.camera;
-  if (!wait && (!shown_ || *shown_ != wanted)) draw(wanted);
-  return textureId(target_.texture());
+  width_ = std::max(1, width);
+  height_ = std::max(1, height);
+  const bool slow = smoothSeconds_ > kSmoothWhileMoving;
+  const Shown wanted{uvSettings(state, pixelScale),
+                     state.view.uv,
+                     state.view.uvCamera,
+                     width_,
+                     height_,
+                     slow && motion == UvMotion::Own ? 1 : kSmoothSamples,
+                     scene_.content()};
+  if (pending_ && !scene_.renderer().drawing(back_)) pending_.reset();
+  const bool leave = shown_ && slow && motion == UvMotion::Elsewhere;
+  const bool free = !pending_ && !scene_.busy();
+  if (free && !leave && (!shown_ || *shown_ != wanted)) {
+    begin(wanted);
+    // Quick drivers finish it at once; slow ones go on after the window was looked after.
+    if (lastSeconds_ < kSecondsAtOnce) goOn();
+  }
+  if (!shown_) return {nullptr, wanted.camera, width_, height_};
+  return {textureId(front_.texture()), shown_->camera, shown_->width, shown_->height};
 }
 
-Pick UvView::pick(int x, int y) {
-  if (!shown_) return {};
+Pick UvView::pick(const AppState& state, int x, int y) {
   const gl::FramebufferScope keep;
-  return scene_.renderer().pickUv(shown_->camera, shown_->width, shown_->height, x, y);
+  return scene_.renderer().pickUv(state.view.uvCamera, width_, height_, x, y);
+}
+
+const UvHighlight& UvView::highlight(const AppState& state) {
+  const Index face = state.hoveredFace;
+  if (face == highlightFace_ && scene_.content() == highlightContent_) return highlight_;
+  highlightFace_ = face;
+  highlightContent_ = scene_.content();
+  highlight_ = {};
+  const UvLayout* layout = scene_.renderer().textureLayout();
+  const Mesh* mesh = scene_.renderer().mesh();
+  if (layout == nullptr || face >= mesh->faceCount()) return highlight_;
+  const Index first = mesh->triangleBegin(face);
+  const Index island = layout->island[first];
+  if (island == kNone) return highlight_;
+  for (Index c = 3 * first; c < 3 * mesh->triangleBegin(face + 1); ++c) {
+    highlight_.face.emplace_back(layout->corners[c]);
+  }
+  const SegmentRange range = layout->outlineOf[island];
+  for (std::size_t i = range.first; i < range.first + range.count; ++i) {
+    const Index side = layout->outline[i];
+    highlight_.outline.emplace_back(layout->corners[side]);
+    highlight_.outline.emplace_back(layout->corners[Mesh::nextSide(side)]);
+  }
+  return highlight_;
 }
 
 }  // namespace chartflood

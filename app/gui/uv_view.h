@@ -1,10 +1,13 @@
 #pragma once
 /// The texture's picture: drawn by the 3D view's renderer, so that both show the same data, and
-/// only when something that can be seen has changed.
+/// only when something that can be seen has changed. A slow picture is drawn piece by piece; until
+/// it is there the last one is shown where the new camera has it.
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
+#include <glm/vec2.hpp>
 #include <imgui.h>
 
 #include "app/gui/scene_view.h"
@@ -13,16 +16,34 @@
 
 namespace chartflood {
 
-/// What the UV panel needs of a picture; tests without GL use one of their own.
+/// A finished picture and what it was taken with.
+struct UvPicture {
+  ImTextureID texture = nullptr;
+  UvCamera camera;
+  int width = 1, height = 1;
+};
+
+/// What is pointed at, in texture places. It is drawn over the picture, which stays as it is.
+struct UvHighlight {
+  std::vector<glm::vec2> outline;  ///< of the chart: two a line
+  std::vector<glm::vec2> face;     ///< three a triangle
+};
+
+/// What moves while a picture is asked for.
+enum class UvMotion { None, Own, Elsewhere };
+
+/// What the UV panel needs; tests without GL use one of their own.
 class UvSource {
  public:
   virtual ~UvSource() = default;
-  /// The picture at this size in pixels. `elsewhere`: something else moves just now, so that a slow
-  /// picture may stay as it was.
-  virtual ImTextureID picture(const AppState& state, int width, int height, float pixelScale,
-                              bool elsewhere) = 0;
-  /// What is under a pixel of the last picture, counted from its top left.
-  virtual Pick pick(int x, int y) = 0;
+  /// Whether charts lie flat.
+  virtual bool ready(const AppState& state) const = 0;
+  /// The newest picture for this size in pixels.
+  virtual UvPicture picture(const AppState& state, int width, int height, float pixelScale,
+                            UvMotion motion) = 0;
+  /// What is under a pixel of a picture of that size, counted from its top left.
+  virtual Pick pick(const AppState& state, int x, int y) = 0;
+  virtual const UvHighlight& highlight(const AppState& state) = 0;
 };
 
 /// The settings of the picture that shows the state now.
@@ -33,9 +54,15 @@ class UvView : public UvSource {
   /// Needs the scene's GL context in every call; the scene takes the results in.
   explicit UvView(SceneView& scene) : scene_(scene) {}
 
-  ImTextureID picture(const AppState& state, int width, int height, float pixelScale,
-                      bool elsewhere) override;
-  Pick pick(int x, int y) override;
+  bool ready(const AppState& state) const override;
+  UvPicture picture(const AppState& state, int width, int height, float pixelScale,
+                    UvMotion motion) override;
+  Pick pick(const AppState& state, int x, int y) override;
+  const UvHighlight& highlight(const AppState& state) override;
+
+  /// As in SceneView, which goes first.
+  bool busy() const { return pending_.has_value(); }
+  bool goOn();
 
  private:
   /// Everything a picture depends on.
@@ -49,12 +76,17 @@ class UvView : public UvSource {
     bool operator==(const Shown&) const = default;
   };
 
-  void draw(const Shown& wanted);
+  void begin(const Shown& wanted);
 
   SceneView& scene_;
-  gl::Framebuffer target_;
-  std::optional<Shown> shown_;
-  double seconds_ = 0;  ///< that the last picture took
+  gl::Framebuffer front_, back_;
+  int backSamples_ = 0, frontSamples_ = 0;
+  std::optional<Shown> shown_, pending_;
+  int width_ = 1, height_ = 1;
+  double pendingSeconds_ = 0, smoothSeconds_ = 0, lastSeconds_ = 0;
+  UvHighlight highlight_;
+  Index highlightFace_ = kNone;
+  std::uint64_t highlightContent_ = 0;
 };
 
 }  // namespace chartflood

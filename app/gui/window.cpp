@@ -142,14 +142,14 @@ class Window::Parts {
         pass(start - last);
         last = start;
         passSeconds_ = now() - start;
-      } else if (!scene_.busy()) {
+      } else if (!drawing()) {
         continue;
       }
       // A slow picture grows in turn with the window's own passes, and is shown by the next one.
       const bool late = now() - start > kPassWithPicture;
       const bool leave = late && !pictureWaited_;
       pictureWaited_ = leave;
-      if (!leave && scene_.goOn()) framesLeft_ = std::max(framesLeft_, 1);
+      if (!leave && goOn()) framesLeft_ = std::max(framesLeft_, 1);
       if (frameLog_) frameLog_ << now() - start << '\n' << std::flush;
     }
     rememberSize();
@@ -164,6 +164,10 @@ class Window::Parts {
   static Parts& of(GLFWwindow* window) {
     return *static_cast<Parts*>(glfwGetWindowUserPointer(window));
   }
+
+  /// A slow picture is on its way; the 3D view's goes first.
+  bool drawing() const { return scene_.busy() || uv_.busy(); }
+  bool goOn() { return scene_.busy() ? scene_.goOn() : uv_.goOn(); }
 
   void touched() { framesLeft_ = kSettlingFrames; }
 
@@ -187,7 +191,7 @@ class Window::Parts {
 
   void wait() {
     const double wake = std::min(frame_.wakeIn(), deadline_ - now());
-    if (framesLeft_ > 0 || scene_.busy()) {
+    if (framesLeft_ > 0 || drawing()) {
       glfwPollEvents();
     } else if (frame_.wakeIn() <= 0) {
       glfwWaitEventsTimeout(std::max(0.0005, kFrameSeconds - passSeconds_));

@@ -104,7 +104,7 @@ void addChecker(ActionRegistry& registry) {
              return checkerKindId(state.view.render.checkerKind) == a.text("kind");
            }});
   addSwitch(
-      registry, "checker-in-texture", "Squares by the texture",
+      registry, "checker-in-texture", "By the texture",
       "Squares of one size in the texture; off: of one size on the model.", "",
       [](auto& state) -> auto& { return state.view.render.checkerInTexture; });
   registry.add({.id = "checker-tint",

@@ -1,6 +1,7 @@
 // Time of a frame without a window: 1280 x 800 pixels, read back not included. Software drivers
 // work on several threads, so the time of the whole process is shown beside the wall's.
 
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -61,7 +62,37 @@ Segmentation wedges(const Mesh& mesh) {
   return segmentation;
 }
 
-/// Arguments: triangles, samples a pixel, 0 charts / 1 charts with mesh edges / 2 plain.
+/// Texture places of the wedges: each a strip of its own, unrolled.
+std::vector<glm::vec2> wedgeUv(const Mesh& mesh, const Segmentation& segmentation) {
+  std::vector<glm::vec2> uv;
+  const auto charts = static_cast<double>(segmentation.chartCount);
+  for (Index t = 0; t < mesh.triangleCount(); ++t) {
+    const double chart = segmentation.label[t];
+    for (const Index v : mesh.triangles()[t]) {
+      const glm::dvec3 p = mesh.positions()[v] * mesh.scale() + mesh.center();
+      const double u = std::atan2(p.y, std::hypot(p.x, p.z) - 1) / (2 * glm::pi<double>()) + 0.5;
+      double w = std::atan2(-p.z, p.x) / (2 * glm::pi<double>());
+      if (w < 0) w += 1;
+      const double strip = w * charts - chart;
+      const double inside = strip > charts / 2 ? 0.0 : std::fmin(strip, 1.0);
+      uv.emplace_back(u, (chart + 0.02 + 0.96 * inside) / charts);
+    }
+  }
+  return uv;
+}
+
+enum Look { kCharts, kWire, kPlain, kSquares, kNumbers, kCircles };
+
+void setLook(RenderSettings& settings, long look) {
+  settings.colorMode = look == kPlain     ? ColorMode::Shaded
+                       : look >= kSquares ? ColorMode::Checkerboard
+                                          : ColorMode::Charts;
+  settings.edges = look == kWire;
+  if (look >= kSquares) settings.checkerKind = static_cast<CheckerKind>(look - kSquares);
+}
+
+/// Arguments: triangles, samples a pixel, 0 charts / 1 charts with mesh edges / 2 plain / 3 to 5
+/// the checkerboard of squares, numbers, circles.
 void frame(benchmark::State& state) {
   const auto context = gl::createOffscreenContext();
   const gl::CurrentScope current(*context);
@@ -75,8 +106,8 @@ void frame(benchmark::State& state) {
   camera.look(StandardView::Oblique);
   camera.frame(mesh->positions(), 1.6);
   RenderSettings settings;
-  settings.colorMode = state.range(2) == 2 ? ColorMode::Shaded : ColorMode::Charts;
-  settings.edges = state.range(2) == 1;
+  setLook(settings, state.range(2));
+  if (state.range(2) >= kSquares) renderer.setCornerUv(wedgeUv(*mesh, segmentation));
   const gl::Framebuffer target(1280, 800, static_cast<int>(state.range(1)));
   renderer.draw(target, camera, settings);  // compiles the shaders
   glFinish();
@@ -89,7 +120,84 @@ void frame(benchmark::State& state) {
 }
 BENCHMARK(frame)
     ->ArgNames({"triangles", "samples", "look"})
-    ->ArgsProduct({{150'000, 1'000'000}, {1, 4}, {0, 1, 2}})
+    ->ArgsProduct({{150'000, 1'000'000}, {1, 4}, {0, 1, 2, 3, 4, 5}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+/// The texture in a pane of the window. Arguments as for frame().
+void uvFrame(benchmark::State& state) {
+  const auto context = gl::createOffscreenContext();
+  const gl::CurrentScope current(*context);
+  const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
+  const Segmentation segmentation = wedges(*mesh);
+  Renderer renderer;
+  renderer.setMesh(mesh, nullptr);
+  renderer.setSegmentation(&segmentation);
+  renderer.setCornerUv(wedgeUv(*mesh, segmentation));
+  RenderSettings settings;
+  settings.numbers = true;
+  setLook(settings, state.range(2));
+  const gl::Framebuffer target(500, 600, static_cast<int>(state.range(1)));
+  UvCamera camera;
+  renderer.drawUv(target, camera, settings, {});  // compiles the shaders
+  glFinish();
+  for (auto _ : state) {
+    camera.pan({0, 0}, {0.5, 0}, {500, 600});
+    renderer.drawUv(target, camera, settings, {});
+    glFinish();
+  }
+  state.SetLabel(context->backend());
+}
+BENCHMARK(uvFrame)
+    ->ArgNames({"triangles", "samples", "look"})
+    ->ArgsProduct({{150'000, 1'000'000}, {1, 4}, {0, 3}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+void pickUv(benchmark::State& state) {
+  const auto context = gl::createOffscreenContext();
+  const gl::CurrentScope current(*context);
+  const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
+  const Segmentation segmentation = wedges(*mesh);
+  Renderer renderer;
+  renderer.setMesh(mesh, nullptr);
+  renderer.setSegmentation(&segmentation);
+  renderer.setCornerUv(wedgeUv(*mesh, segmentation));
+  for (auto _ : state) benchmark::DoNotOptimize(renderer.pickUv({}, 500, 600, 200, 300).triangle);
+}
+BENCHMARK(pickUv)
+    ->ArgName("triangles")
+    ->Arg(150'000)
+    ->Arg(1'000'000)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+/// Islands, scales and outlines, then the upload of the parted vertices.
+void layOut(benchmark::State& state) {
+  const auto context = gl::createOffscreenContext();
+  const gl::CurrentScope current(*context);
+  const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
+  const std::vector<glm::vec2> uv = wedgeUv(*mesh, wedges(*mesh));
+  Renderer renderer;
+  renderer.setMesh(mesh, nullptr);
+  double uploading = 0;
+  for (auto _ : state) {
+    UvLayout layout = uvLayout(*mesh, uv);
+    const auto start = std::chrono::steady_clock::now();
+    renderer.setUvLayout(std::move(layout));
+    glFinish();
+    uploading +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  }
+  state.counters["upload_ms"] = uploading / static_cast<double>(state.iterations());
+}
+BENCHMARK(layOut)
+    ->ArgName("triangles")
+    ->Arg(150'000)
+    ->Arg(1'000'000)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

@@ -76,4 +76,22 @@ std::shared_ptr<const Mesh> ballInsideOut(int n) {
   return buildMesh(input);
 }
 
+std::shared_ptr<const Mesh> plate(int columns, int rows) {
+  auto input = std::make_shared<InputMesh>();
+  input->file = "plate";
+  for (int y = 0; y <= rows; ++y) {
+    for (int x = 0; x <= columns; ++x) input->positions.emplace_back(x, y, 0);
+  }
+  const auto vertex = [&](int x, int y) { return static_cast<Index>(y * (columns + 1) + x); };
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
+      for (const Index corner : {vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y),
+                                 vertex(x + 1, y + 1), vertex(x, y + 1)}) {
+        input->corners.push_back(corner);
+      }
+    }
+  }
+  return buildMesh(input);
+}
+
 }  // namespace chartflood::test

@@ -17,4 +17,8 @@ std::shared_ptr<const Mesh> ball(int n);
 /// The same with all triangles facing inwards.
 std::shared_ptr<const Mesh> ballInsideOut(int n);
 
+/// A flat plate of columns x rows unit squares in the xy plane, seen from +z; two triangles a
+/// square, row by row.
+std::shared_ptr<const Mesh> plate(int columns, int rows);
+
 }  // namespace chartflood::test

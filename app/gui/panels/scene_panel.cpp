@@ -163,8 +163,10 @@ void drawHint(const Ui& ui, const ViewRectangle& view) {
 void drawMissing(const Ui& ui, const ViewRectangle& view) {
   const ColorMode mode = ui.state.view.render.colorMode;
   if (!needsUnwrap(mode) || ui.state.results().atlas) return;
-  const std::string text =
+  std::string text =
       std::string(colorModeInfo(mode).label) + " can be seen when the charts are laid flat";
+  const std::string key = ui.actions.shortcut("unwrap");
+  if (!key.empty()) text += ": press " + key;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at{std::round((view.min.x + view.max.x - size.x) / 2), view.min.y + ui.px(16)};
   const ImVec2 pad{ui.px(10), ui.px(5)};

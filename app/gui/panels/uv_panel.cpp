@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include <imgui_internal.h>
 
@@ -21,13 +22,15 @@ struct UvRectangle {
   ImVec2 min, max;
   glm::dvec2 size() const { return {max.x - min.x, max.y - min.y}; }
   glm::dvec2 pixel(ImVec2 place) const { return {place.x - min.x, place.y - min.y}; }
+  ImVec2 place(const glm::dvec2& pixel) const {
+    return {min.x + static_cast<float>(pixel.x), min.y + static_cast<float>(pixel.y)};
+  }
 };
 
-Pick pickAt(UvSource* source, const UvRectangle& view, ImVec2 place) {
-  if (source == nullptr) return {};
+Pick pickAt(const Ui& ui, UvSource& source, const UvRectangle& view, ImVec2 place) {
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  return source->pick(static_cast<int>((place.x - view.min.x) * scale.x),
-                      static_cast<int>((place.y - view.min.y) * scale.y));
+  return source.pick(ui.state, static_cast<int>((place.x - view.min.x) * scale.x),
+                     static_cast<int>((place.y - view.min.y) * scale.y));
 }
 
 void drag(const Ui& ui, const UvRectangle& view, UvMouse& mouse) {
@@ -37,14 +40,15 @@ void drag(const Ui& ui, const UvRectangle& view, UvMouse& mouse) {
   if (mouse.travelled < kClickTravel) return;
   const ImVec2 from{io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y};
   ui.state.view.uvCamera.pan(view.pixel(from), view.pixel(io.MousePos), view.size());
+  mouse.movedAt = ImGui::GetTime();
 }
 
-void click(const Ui& ui, UvSource* source, const UvRectangle& view) {
-  const Pick pick = pickAt(source, view, ImGui::GetIO().MousePos);
+void click(const Ui& ui, UvSource& source, const UvRectangle& view) {
+  const Pick pick = pickAt(ui, source, view, ImGui::GetIO().MousePos);
   ui.run(pick.chart == kNone ? "select-chart" : "select-chart " + std::to_string(pick.chart));
 }
 
-void useMouse(const Ui& ui, UvSource* source, const UvRectangle& view, UvMouse& mouse) {
+void useMouse(const Ui& ui, UvSource& source, const UvRectangle& view, UvMouse& mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemActivated()) {
     mouse.button = io.MouseDown[0] ? 0 : io.MouseDown[1] ? 1 : 2;
@@ -66,12 +70,50 @@ void useMouse(const Ui& ui, UvSource* source, const UvRectangle& view, UvMouse& 
     ui.state.view.uvCamera.zoom(std::pow(kWheelFactor, steps), view.pixel(io.MousePos),
                                 view.size());
     mouse.pickedAt = {-1, -1};
+    mouse.movedAt = ImGui::GetTime();
   }
   const bool same = io.MousePos.x == mouse.pickedAt.x && io.MousePos.y == mouse.pickedAt.y;
   if (mouse.button >= 0 || same) return;
   mouse.pickedAt = io.MousePos;
-  mouse.face = pickAt(source, view, io.MousePos).face;
+  mouse.face = pickAt(ui, source, view, io.MousePos).face;
   ui.state.hoveredFace = mouse.face;
+}
+
+/// The newest picture, where the present camera has it.
+void drawPicture(const Ui& ui, UvSource& source, const UvRectangle& view, UvMotion motion) {
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const glm::dvec2 size = view.size();
+  const UvPicture picture =
+      source.picture(ui.state, static_cast<int>(size.x * double{scale.x}),
+                     static_cast<int>(size.y * double{scale.y}), ui.theme.scale, motion);
+  if (picture.texture == nullptr) return;
+  const UvCamera& camera = ui.state.view.uvCamera;
+  const glm::dvec2 taken(picture.width, picture.height);
+  const ImVec2 low = view.place(camera.toPixel(picture.camera.toUv({0, 0}, taken), size));
+  const ImVec2 high = view.place(camera.toPixel(picture.camera.toUv(taken, taken), size));
+  ImGui::GetWindowDrawList()->AddImage(picture.texture, low, high, {0, 1}, {1, 0});
+}
+
+/// The border of the chart and the face that are pointed at, here or on the model.
+void drawHighlight(const Ui& ui, const UvHighlight& highlight, const UvRectangle& view) {
+  const UvCamera& camera = ui.state.view.uvCamera;
+  const glm::dvec2 size = view.size();
+  const auto place = [&](const glm::vec2& uv) {
+    return view.place(camera.toPixel(glm::dvec2(uv), size));
+  };
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t i = 0; i + 2 < highlight.face.size(); i += 3) {
+    list.AddTriangleFilled(place(highlight.face[i]), place(highlight.face[i + 1]),
+                           place(highlight.face[i + 2]), IM_COL32(255, 255, 255, 150));
+  }
+  const std::pair<ImU32, float> strokes[] = {{IM_COL32(14, 14, 16, 255), 4.4f},
+                                             {IM_COL32(250, 250, 247, 255), 2.4f}};
+  for (const auto& [color, width] : strokes) {
+    for (std::size_t i = 0; i + 1 < highlight.outline.size(); i += 2) {
+      list.AddLine(place(highlight.outline[i]), place(highlight.outline[i + 1]), color,
+                   ui.px(10 * width) / 10);
+    }
+  }
 }
 
 /// A line in the middle of the present window.
@@ -99,9 +141,10 @@ void drawMissing(const Ui& ui) {
   textButton(ui, "Unwrap", "unwrap", {width, ui.px(32)});
 }
 
-std::string figures(const Atlas& atlas) {
+std::string figures(const Atlas* atlas) {
+  if (atlas == nullptr) return "";
   char text[96];
-  std::snprintf(text, sizeof text, "%.0f %% of the texture used", 100 * atlas.efficiency);
+  std::snprintf(text, sizeof text, "%.0f %% of the texture used", 100 * atlas->efficiency);
   return text;
 }
 
@@ -109,7 +152,7 @@ std::string figures(const Atlas& atlas) {
 void drawCaption(const Ui& ui, const UvRectangle& view) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushFont(ui.theme.small);
-  const std::string left = figures(*ui.state.results().atlas);
+  const std::string left = figures(ui.state.results().atlas.get());
   const char* right = "Wheel: closer   Drag: move   F: all";
   const float y = view.max.y - ui.px(19), pad = ui.px(8);
   list.AddRectFilled({view.min.x, y - ui.px(5)}, view.max,
@@ -132,8 +175,7 @@ void leaveUv(const Ui& ui, UvMouse& mouse) {
 }
 
 void uvPanel(const Ui& ui, UvSource* source, UvMouse& mouse, bool elsewhere) {
-  const Results& results = ui.state.results();
-  if (!results.charts || !results.atlas) {
+  if (source == nullptr || !source->ready(ui.state)) {
     leaveUv(ui, mouse);
     return drawMissing(ui);
   }
@@ -144,15 +186,17 @@ void uvPanel(const Ui& ui, UvSource* source, UvMouse& mouse, bool elsewhere) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   ui.probe.item("uv");
-  useMouse(ui, source, view, mouse);
-  if (source != nullptr) {
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const bool busy = elsewhere || ui.state.playback.playing() || ui.state.status().busy;
-    const ImTextureID picture =
-        source->picture(ui.state, static_cast<int>(size.x * scale.x),
-                        static_cast<int>(size.y * scale.y), ui.theme.scale, busy);
-    ImGui::GetWindowDrawList()->AddImage(picture, view.min, view.max, {0, 1}, {1, 0});
-  }
+  useMouse(ui, *source, view, mouse);
+  const double still = ImGui::GetTime() - mouse.movedAt;
+  if (still < kSettleSeconds) ui.wakeIn(kSettleSeconds - still);
+  const bool busy = elsewhere || ui.state.playback.playing() || ui.state.status().busy;
+  const UvMotion motion = still < kSettleSeconds ? UvMotion::Own
+                          : busy                 ? UvMotion::Elsewhere
+                                                 : UvMotion::None;
+  ImGui::PushClipRect(view.min, view.max, true);
+  drawPicture(ui, *source, view, motion);
+  drawHighlight(ui, source->highlight(ui.state), view);
+  ImGui::PopClipRect();
   drawCaption(ui, view);
 }
 

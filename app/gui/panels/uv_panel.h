@@ -8,8 +8,9 @@ namespace chartflood {
 
 /// What the mouse is doing in the texture; kept by the owner of the panel.
 struct UvMouse {
-  int button = -1;      ///< that was pressed inside, -1: none
-  float travelled = 0;  ///< pixels since then
+  int button = -1;       ///< that was pressed inside, -1: none
+  float travelled = 0;   ///< pixels since then
+  double movedAt = -10;  ///< time of the last movement of the texture, ImGui::GetTime()
   ImVec2 pickedAt{-1, -1};
   Index face = kNone;  ///< under the mouse, as told to the state
 };
