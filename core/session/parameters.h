@@ -31,14 +31,15 @@ struct Parameters {
   std::string refine = "moves";       ///< refine
   double cleanUp = 1000;              ///< clean-up: mu
   bool cutHandles = true;             ///< cut-handles
-  bool cutLoops = true;               ///< cut-loops
-  bool cutTips = true;                ///< cut-tips
-  double tip = 0.5;                   ///< tip: lengths of the boundary loop
-  double reliefStretch = 1.5;         ///< relief-stretch: L2 stretch, 0 for none
-  std::string unwrap = "free";        ///< unwrap
-  std::string layout = "packed";      ///< layout
-  int textureSize = 1024;             ///< texture-size: pixels
-  int margin = 8;                     ///< margin: pixels
+  std::string handleSearch = "shortest";  ///< handle-search
+  bool cutLoops = true;                   ///< cut-loops
+  bool cutTips = true;                    ///< cut-tips
+  double tip = 0.5;                       ///< tip: lengths of the boundary loop
+  double reliefStretch = 1.5;             ///< relief-stretch: L2 stretch, 0 for none
+  std::string unwrap = "free";            ///< unwrap
+  std::string layout = "packed";          ///< layout
+  int textureSize = 1024;                 ///< texture-size: pixels
+  int margin = 8;                         ///< margin: pixels
 
   bool operator==(const Parameters&) const = default;
 };

@@ -225,7 +225,10 @@ bool Pipeline::unwrap(Progress& progress) {
   };
   if (!flat_.cut) {
     progress.beginPhase("Cutting into disks");
-    const CutOptions options{p.cutHandles, p.cutLoops, p.cutTips, p.tip};
+    CutOptions options{p.cutHandles, p.cutLoops, p.cutTips, p.tip};
+    const bool wavefront = p.handleSearch == "wavefront";
+    options.handleSearch = wavefront ? HandleSearch::Wavefront : HandleSearch::Shortest;
+    options.seed = static_cast<std::uint32_t>(p.rngSeed);
     timed(timing_.cut, [&] { flat_.cut = cutCharts(*mesh_, *segmentation_, options, progress); });
     if (!flat_.cut) return false;
   }

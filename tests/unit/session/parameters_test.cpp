@@ -49,7 +49,7 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
         info.member);
   }
   const Parameters defaults;
-  EXPECT_EQ(parameterTable().size(), 27u);
+  EXPECT_EQ(parameterTable().size(), 28u);
   EXPECT_NE(changed.method, defaults.method);
   EXPECT_NE(changed.charts, defaults.charts);
   EXPECT_NE(changed.sharpAngle, defaults.sharpAngle);
@@ -59,6 +59,7 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
   EXPECT_NE(changed.offsets, defaults.offsets);
   EXPECT_NE(changed.lookahead, defaults.lookahead);
   EXPECT_NE(changed.cutHandles, defaults.cutHandles);
+  EXPECT_NE(changed.handleSearch, defaults.handleSearch);
   EXPECT_NE(changed.cutLoops, defaults.cutLoops);
   EXPECT_NE(changed.cutTips, defaults.cutTips);
   EXPECT_NE(changed.tip, defaults.tip);
@@ -229,6 +230,11 @@ TEST(Presets, PaperIsThePrintedMethod) {
   expected.search = "literal";
   expected.start = "flood";
   expected.refine = "none";
+  expected.handleSearch = "wavefront";
+  expected.tip = 1;
+  expected.reliefStretch = 0;
+  expected.unwrap = "circle";
+  expected.layout = "square";
   EXPECT_EQ(values, expected);
   expected.speedPower = 3;
   EXPECT_EQ(applyPreset(base, *findPreset("paper-happy")), expected);
