@@ -82,18 +82,18 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
 }  // namespace
 
 std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
-                                    Progress& progress) {
+                                    double effort, Progress& progress) {
   std::vector<Placement> grid = gridLayout(outlines, gaps, true);
   if (outlines.size() < 2) return grid;
   Sizes sizes = measure(outlines);
   // The gap is widest across a diagonal; and a place is snug up to some distance.
   const double reach = std::max(1.5 * gaps.between * sizes.side, 0.09);
-  const std::vector<PackShape> coarse = makeShapes(outlines, sizes, 12, 10, 10000, reach);
-  const std::vector<PackLayout> layouts = searchLayouts(coarse, gaps, 0.85f, progress);
+  const std::vector<PackShape> coarse = makeShapes(outlines, sizes, 12, 10, 6000, reach);
+  const std::vector<PackLayout> layouts = searchLayouts(coarse, gaps, effort, 0.85f, progress);
   if (progress.cancelled()) return {};
   sizes.side = layouts.front().side;
   const std::vector<PackShape> fine =
-      makeShapes(outlines, sizes, 1.5, 3, 40000, 1.5 * gaps.between * sizes.side + 0.004);
+      makeShapes(outlines, sizes, 1.5, 3, 16000, 1.5 * gaps.between * sizes.side + 0.004);
   std::vector<Fitted> fitted(std::min<std::size_t>(layouts.size(), 2));
   parallelFor(fitted.size(), [&](std::size_t k) {
     fitted[k] = fit(outlines, fine, sizes.scale, layouts[k], gaps, progress);
