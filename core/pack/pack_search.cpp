@@ -35,14 +35,14 @@ struct Plan {
   std::vector<Stage> stages;
 };
 
-Plan planFor(std::span<const PackShape> shapes) {
+Plan planFor(std::span<const PackShape> shapes, double effort) {
   double points = 0;
   for (const PackShape& shape : shapes) points += static_cast<double>(shape.points.size());
   // A square of twenty usual charts has about 2500 points.
-  const double less = std::min(1.0, 2500 / points);
+  const double less = std::clamp(effort, 0.0, 1.0) * std::min(1.0, 2500 / points);
   const auto rounds = [&](double most) { return 2 + static_cast<int>(most * less); };
   const std::size_t starts = shapes.size() > 250 ? 2 : shapes.size() > 60 ? 4 : 8;
-  return {starts, {{4, rounds(60)}, {2, rounds(160)}}};
+  return {effort < 0.5 ? 2 : starts, {{4, rounds(60)}, {2, rounds(160)}}};
 }
 
 double unit(Rng& rng) { return (rng.below(1u << 24) + 0.5) / (1u << 24); }
@@ -162,8 +162,8 @@ class Search {
 }  // namespace
 
 std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const PackGaps& gaps,
-                                      float lastFraction, Progress& progress) {
-  const Plan plan = planFor(shapes);
+                                      double effort, float lastFraction, Progress& progress) {
+  const Plan plan = planFor(shapes, effort);
   // A start costs about as much as three rounds.
   float work = 3 * static_cast<float>(plan.starts);
   for (const Plan::Stage& stage : plan.stages) {

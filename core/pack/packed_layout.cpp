@@ -58,7 +58,8 @@ struct Fitted {
 
 Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> shapes,
            double layoutScale, PackLayout layout, const PackGaps& gaps, const Progress& progress) {
-  Squeezer squeezer(shapes, gaps);
+  // Pressed with a gap even where none is asked for, see below.
+  Squeezer squeezer(shapes, {std::max(gaps.between, 0.001), gaps.border});
   for (const double depth : {0.5, 0.1, 0.02, 0.004}) {
     squeezer.run(layout, {4 * depth / 1024 * layout.side, 80}, progress);
   }
@@ -82,18 +83,20 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
 }  // namespace
 
 std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
-                                    Progress& progress) {
+                                    double effort, Progress& progress) {
   std::vector<Placement> grid = gridLayout(outlines, gaps, true);
   if (outlines.size() < 2) return grid;
   Sizes sizes = measure(outlines);
+  // A field does not see two fine teeth that cross: without a gap they would hook into each other.
+  const PackGaps soft{std::max(gaps.between, 0.001), gaps.border};
   // The gap is widest across a diagonal; and a place is snug up to some distance.
   const double reach = std::max(1.5 * gaps.between * sizes.side, 0.09);
-  const std::vector<PackShape> coarse = makeShapes(outlines, sizes, 12, 10, 10000, reach);
-  const std::vector<PackLayout> layouts = searchLayouts(coarse, gaps, 0.85f, progress);
+  const std::vector<PackShape> coarse = makeShapes(outlines, sizes, 12, 10, 6000, reach);
+  const std::vector<PackLayout> layouts = searchLayouts(coarse, soft, effort, 0.85f, progress);
   if (progress.cancelled()) return {};
   sizes.side = layouts.front().side;
   const std::vector<PackShape> fine =
-      makeShapes(outlines, sizes, 1.5, 3, 40000, 1.5 * gaps.between * sizes.side + 0.004);
+      makeShapes(outlines, sizes, 1.5, 3, 16000, 1.5 * gaps.between * sizes.side + 0.004);
   std::vector<Fitted> fitted(std::min<std::size_t>(layouts.size(), 2));
   parallelFor(fitted.size(), [&](std::size_t k) {
     fitted[k] = fit(outlines, fine, sizes.scale, layouts[k], gaps, progress);

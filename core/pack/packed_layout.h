@@ -11,9 +11,10 @@
 
 namespace chartflood {
 
+/// \param effort share of the usual search, 0 to 1
 /// \return one entry an outline; meaningless when cancelled
 /// \pre the gaps leave room for all outlines
 std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
-                                    Progress& progress);
+                                    double effort, Progress& progress);
 
 }  // namespace chartflood
