@@ -108,8 +108,9 @@ void ChartLayer::uploadSeams() {
       if (other == kNone || other < side) continue;
       const Index a = label_[side / 3], b = label_[other / 3];
       if (a == b || a == kNone || b == kNone) continue;
-      ends.emplace_back(glm::vec3(mesh_->positions()[mesh_->sideStart(side)]), 0.0f);
-      ends.emplace_back(glm::vec3(mesh_->positions()[mesh_->sideEnd(side)]), 0.0f);
+      ends.emplace_back(glm::vec3(mesh_->positions()[mesh_->sideStart(side)]),
+                        static_cast<float>(a));
+      ends.emplace_back(glm::vec3(mesh_->positions()[mesh_->sideEnd(side)]), static_cast<float>(b));
     }
   }
   seamCount_ = ends.size() / 2;

@@ -48,6 +48,7 @@ class ChartLayer {
   void bindLabels(GLuint unit) const { labels_.bind(unit); }
   void bindColors(GLuint unit) const { colors_.bind(unit); }
   void bindValues(GLuint unit) const { values_.bind(unit); }
+  /// Two texels an edge: (start, chart), (end, chart across).
   void bindSeams(GLuint unit) const { seams_.bind(unit); }
 
  private:

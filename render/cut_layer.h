@@ -17,12 +17,14 @@ class CutLayer {
   CutLayer(const Mesh& mesh, std::span<const Index> sides);
 
   const std::vector<CutEdge>& edges() const { return edges_; }
-  std::size_t count() const { return edges_.size(); }
+  /// Triangle that each edge borders.
+  const std::vector<Index>& triangle() const { return triangle_; }
   /// Two texels an edge: (place, length along the path) of its ends.
   void bind(GLuint unit) const { segments_.bind(unit); }
 
  private:
   std::vector<CutEdge> edges_;
+  std::vector<Index> triangle_;
   gl::TextureBuffer segments_;
 };
 

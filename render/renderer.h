@@ -193,6 +193,8 @@ class Renderer {
   void drawLines(const Frame& frame);
   void drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths,
                     const glm::vec4& color, float dash = 0, std::size_t first = 0);
+  /// Cuts from the segments on unit kValues, without those of hidden charts.
+  void drawCuts(const Frame& frame, const std::vector<Index>& triangleOf, float width);
   void drawUvGround(const Frame& frame, const UvCamera& camera);
   void drawUvLines(const Frame& frame, const UvStyle& style);
   void drawUvOutline(const Frame& frame, const SegmentRange& range, float width);

@@ -20,10 +20,28 @@ void Renderer::drawSegments(const Frame& frame, std::size_t count, const glm::ve
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * count));
 }
 
+void Renderer::drawCuts(const Frame& frame, const std::vector<Index>& triangleOf, float width) {
+  const std::vector<Index>& hidden = frame.settings.hiddenCharts;
+  const auto seen = [&](std::size_t i) {
+    const Index chart = charts_->chartOf(triangleOf[i]);
+    return std::find(hidden.begin(), hidden.end(), chart) == hidden.end();
+  };
+  for (std::size_t first = 0; first < triangleOf.size();) {
+    std::size_t end = first + 1;
+    const bool draws = seen(first);
+    while (end < triangleOf.size() && seen(end) == draws) ++end;
+    if (draws) {
+      drawSegments(frame, end - first, glm::vec2(width + 1.6f), colors::kInk, 0, first);
+      drawSegments(frame, end - first, glm::vec2(width), colors::kCut, frame.dash, first);
+    }
+    first = end;
+  }
+}
+
 void Renderer::drawLines(const Frame& frame) {
   const RenderSettings& settings = frame.settings;
   const ColorMode mode = canShow(settings.colorMode) ? settings.colorMode : ColorMode::Shaded;
-  using colors::kChalk, colors::kCut, colors::kInk;
+  using colors::kChalk, colors::kInk;
   constexpr glm::vec4 kByValue(0);
   glEnable(GL_DEPTH_TEST);
   glBindVertexArray(emptyVertexArray_.id());
@@ -41,13 +59,16 @@ void Renderer::drawLines(const Frame& frame) {
       drawSegments(frame, flood_->seamCount(*settings.playhead), width, kInk);
     } else {
       charts_->bindSeams(units::kValues);
+      charts_->bindColors(units::kChartColors);
+      lineProgram_.set("uByCharts", settings.hiddenCharts.empty() ? 0 : 1);
+      lineProgram_.set("uChartColors", static_cast<int>(units::kChartColors));
       drawSegments(frame, charts_->seamCount(), width, kInk);
+      lineProgram_.set("uByCharts", 0);
     }
   }
   if (settings.cuts && cuts_ && !settings.playhead) {
     cuts_->bind(units::kValues);
-    drawSegments(frame, cuts_->count(), glm::vec2(settings.cutWidth + 1.6f), kInk);
-    drawSegments(frame, cuts_->count(), glm::vec2(settings.cutWidth), kCut, frame.dash);
+    drawCuts(frame, cuts_->triangle(), settings.cutWidth);
   }
   if (mode == ColorMode::GaussEdge || mode == ColorMode::Gauss) {
     ScalarRange range = gauss_->edgeRange();
@@ -100,7 +121,7 @@ void Renderer::drawMarks(const Frame& frame) {
   program.set("uRing", 1.5f * scale);
   program.set("uRadii", glm::vec2(settings.seedRadius) * scale);
   // Seeds behind the model shine through faintly; those in front cover it.
-  const auto count = static_cast<GLsizei>(6 * seedMarks_.size());
+  const auto count = static_cast<GLsizei>(6 * (uploadedSeeds_.size() / 2));
   glDepthFunc(GL_GREATER);
   program.set("uOpacity", 0.14f);
   glDrawArrays(GL_TRIANGLES, 0, count);
@@ -111,7 +132,9 @@ void Renderer::drawMarks(const Frame& frame) {
 
 void Renderer::uploadSeeds(const RenderSettings& settings) {
   std::vector<glm::vec4> texels;
+  const std::vector<Index>& hidden = settings.hiddenCharts;
   for (const SeedMark& seed : seedMarks_) {
+    if (std::find(hidden.begin(), hidden.end(), seed.chart) != hidden.end()) continue;
     texels.emplace_back(glm::vec3(faceMiddle(*mesh_, seed.face)), 0.0f);
     texels.emplace_back(chartColor(seed.chart, settings), seed.emphasis ? 1.0f : 0.0f);
   }

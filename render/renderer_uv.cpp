@@ -165,11 +165,9 @@ void Renderer::drawUvLines(const Frame& frame, const UvStyle& style) {
     if (hidden || (!strong && (settings.hiddenCharts.empty() || !settings.seams))) continue;
     drawUvOutline(frame, uv_->outlineOf(island), style.outlineWidth + (strong ? 1.0f : 0.0f));
   }
-  if (!settings.cuts || !settings.hiddenCharts.empty()) return;
+  if (!settings.cuts) return;
   uv_->bindCuts(units::kValues);
-  drawSegments(frame, uv_->cutCount(), glm::vec2(style.outlineWidth + 2.2f), colors::kInk);
-  drawSegments(frame, uv_->cutCount(), glm::vec2(style.outlineWidth + 0.6f), colors::kCut,
-               frame.dash);
+  drawCuts(frame, uv_->cutTriangle(), style.outlineWidth + 0.6f);
 }
 
 void Renderer::addUvNumbers(const Frame& frame, const UvCamera& camera) {

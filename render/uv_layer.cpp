@@ -15,7 +15,7 @@ void UvLayer::setCuts(std::span<const CutEdge> cuts) {
   outlines_.upload<glm::vec4>(GL_RGBA32F, lines.outline);
   cuts_.upload<glm::vec4>(GL_RGBA32F, lines.cuts);
   outlineCount_ = lines.outline.size() / 2;
-  cutCount_ = lines.cuts.size() / 2;
+  cutTriangle_ = std::move(lines.cutTriangle);
   outlineOf_ = std::move(lines.outlineOf);
 }
 

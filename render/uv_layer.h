@@ -23,7 +23,8 @@ class UvLayer {
 
   const UvLayout& layout() const { return layout_; }
   std::size_t outlineCount() const { return outlineCount_; }
-  std::size_t cutCount() const { return cutCount_; }
+  /// Triangle that each segment of the cuts borders.
+  const std::vector<Index>& cutTriangle() const { return cutTriangle_; }
   /// Lines of an island in the outlines, without its cuts.
   const SegmentRange& outlineOf(Index island) const { return outlineOf_[island]; }
   void bindOutlines(GLuint unit) const { outlines_.bind(unit); }
@@ -36,7 +37,8 @@ class UvLayer {
   std::shared_ptr<const Mesh> mesh_;
   UvLayout layout_;
   std::vector<SegmentRange> outlineOf_;
-  std::size_t outlineCount_ = 0, cutCount_ = 0;
+  std::size_t outlineCount_ = 0;
+  std::vector<Index> cutTriangle_;
   gl::TextureBuffer outlines_, cuts_;
 };
 

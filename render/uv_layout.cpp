@@ -144,11 +144,13 @@ UvLines uvLines(const Mesh& mesh, const UvLayout& layout, std::span<const CutEdg
     isCut[cut.side] = true;
     if (layout.island[cut.side / 3] != kNone) {
       addSegment(layout, cut.side, cut.from, cut.to, lines.cuts);
+      lines.cutTriangle.push_back(cut.side / 3);
     }
     if (other == kNone) continue;
     isCut[other] = true;
     if (layout.island[other / 3] != kNone) {
       addSegment(layout, other, cut.to, cut.from, lines.cuts);
+      lines.cutTriangle.push_back(other / 3);
     }
   }
   for (const SegmentRange& range : layout.outlineOf) {

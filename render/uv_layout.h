@@ -49,6 +49,7 @@ struct UvLines {
   std::vector<glm::vec4> outline;       ///< borders of islands but no cuts, island after island
   std::vector<SegmentRange> outlineOf;  ///< of each island
   std::vector<glm::vec4> cuts;          ///< both banks of each cut
+  std::vector<Index> cutTriangle;       ///< that each segment of `cuts` borders
 };
 UvLines uvLines(const Mesh& mesh, const UvLayout& layout, std::span<const CutEdge> cuts);
 

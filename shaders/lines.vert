@@ -8,6 +8,9 @@ uniform int uFirst;
 uniform vec2 uWidths;    // pixels, at the low and the high end of the scale; equal: no scale
 uniform vec4 uColor;     // sRGB; alpha 0: colour by value
 
+uniform bool uByCharts;  // values are charts: without those between two hidden ones
+uniform samplerBuffer uChartColors;
+
 noperspective out vec2 vPlace;  // along and across the segment, pixels
 flat out float vLength;
 flat out float vRadius;
@@ -20,10 +23,15 @@ void main() {
   int segment = uFirst + gl_VertexID / 6;
   int corner = gl_VertexID % 6;
   vec4 first = texelFetch(uSegments, 2 * segment);
-  vec3 a = (uView * vec4(first.xyz, 1.0)).xyz;
   vec4 second = texelFetch(uSegments, 2 * segment + 1);
+  vec3 a = (uView * vec4(first.xyz, 1.0)).xyz;
   vec3 b = (uView * vec4(second.xyz, 1.0)).xyz;
   vEnds = vec2(first.w, second.w);
+  if (uByCharts && texelFetch(uChartColors, int(first.w)).a == 0.0 &&
+      texelFetch(uChartColors, int(second.w)).a == 0.0) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
   float t = scaled(first.w);
   vRadius = 0.5 * mix(uWidths.x, uWidths.y, t);
   vColor = uColor.a == 0.0 ? mapped(t) : uColor.rgb;

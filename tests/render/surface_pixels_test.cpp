@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include <glm/geometric.hpp>
@@ -157,6 +158,23 @@ TEST_F(SurfacePixels, HiddenChartsAreNotDrawnAndSelectedOnesStandOut) {
   }
 }
 
+TEST_F(SurfacePixels, SeamsBetweenHiddenChartsAreNotDrawn) {
+  show(test::cube(4));
+  const Segmentation sides = cubeSides();
+  renderer_->setSegmentation(&sides);
+  RenderSettings settings = flat(ColorMode::Charts);
+  settings.hiddenCharts = {0, 1, 2, 3, 4, 5};
+  settings.seams = true;
+  settings.background = backgroundFromText("white");
+  const Image none = draw(settings);
+  for (const Rgba8& pixel : none.pixels()) ASSERT_EQ(pixel, (Rgba8{255, 255, 255, 255}));
+  settings.hiddenCharts = {0, 1, 2, 3, 4};
+  const Image one = draw(settings);
+  EXPECT_GT(std::count_if(one.pixels().begin(), one.pixels().end(),
+                          [](const Rgba8& p) { return p[0] < 60 && p[1] < 60; }),
+            50);
+}
+
 TEST_F(SurfacePixels, SeedsAreMarkedInTheirChartsColour) {
   show(test::cube(4));
   const Segmentation sides = cubeSides();
@@ -180,6 +198,22 @@ TEST_F(SurfacePixels, SeedsAreMarkedInTheirChartsColour) {
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_NEAR(core[c], 255 * color[static_cast<int>(c)], 70);
   }
+}
+
+TEST_F(SurfacePixels, SeedsOfHiddenChartsAreNotMarked) {
+  show(test::cube(4));
+  const Segmentation sides = cubeSides();
+  renderer_->setSegmentation(&sides);
+  const auto [triangle, pixel] = seenTriangles().front();
+  const SeedMark seed{triangle, sides.label[triangle], false};
+  RenderSettings settings = flat(ColorMode::Charts);
+  settings.seedMarks = true;
+  settings.hiddenCharts = {seed.chart};
+  const Image without = draw(settings);
+  renderer_->setSeeds({&seed, 1});
+  EXPECT_EQ(draw(settings), without);
+  settings.hiddenCharts.clear();
+  EXPECT_NE(draw(settings), without);
 }
 
 /// Normals of a ball, outwards (1) or inwards (-1).

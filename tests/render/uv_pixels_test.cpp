@@ -107,6 +107,23 @@ TEST_F(UvPixels, HiddenChartsAreLeftOutAndNotFound) {
   }
 }
 
+TEST_F(UvPixels, CutsGoWithTheirChart) {
+  renderer_->setCuts(cut());
+  RenderSettings settings = flat(ColorMode::Charts);
+  const auto dashes = [&](const std::vector<Index>& hidden) {
+    settings.hiddenCharts = hidden;
+    int count = 0;
+    for (const Image& image : {drawUv(settings), draw(settings)}) {
+      for (const Rgba8& p : image.pixels()) count += p[0] > 220 && p[1] > 150 && p[2] < 110 ? 1 : 0;
+    }
+    return count;
+  };
+  const int all = dashes({});
+  EXPECT_GT(all, 20);
+  EXPECT_EQ(dashes({1}), all);
+  EXPECT_EQ(dashes({0}), 0);
+}
+
 TEST_F(UvPixels, FacesWithoutTexturePlaceAreAbsent) {
   std::vector<glm::vec2> uv = cornerUv();
   const Index bare = 2 * (3 * kColumns + 5);
