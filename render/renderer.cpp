@@ -62,6 +62,7 @@ void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* no
   values_.clear();
   uv_.reset();
   cuts_.reset();
+  lines_.clear();
   seedMarks_.clear();
   if (!mesh_) return;
   bounds_ = boundingSphere(mesh_->positions());
@@ -141,6 +142,14 @@ void Renderer::forgetUv() {
   unfinished_.reset();
   surface_->setCornerTexture({});
   uv_.reset();
+}
+
+void Renderer::setLines(std::span<const EdgeLines> lines) {
+  lines_.clear();
+  if (!mesh_) return;
+  for (const EdgeLines& each : lines) {
+    lines_.push_back({CutLayer(*mesh_, each.sides), {{}, each.color, each.width, each.dashed}});
+  }
 }
 
 void Renderer::setCuts(std::span<const Index> sides) {

@@ -40,6 +40,14 @@ struct SeedMark {
   bool emphasis = false;  ///< locked or under the pointer
 };
 
+/// Lines along edges of the mesh, drawn whatever else is shown.
+struct EdgeLines {
+  std::vector<Index> sides;  ///< sides of the mesh, in order along each path
+  glm::vec3 color{1};        ///< sRGB in [0, 1]
+  float width = 2;           ///< pixels, as in RenderSettings
+  bool dashed = false;
+};
+
 /// What lies under a pixel.
 struct Pick {
   Index triangle = kNone;
@@ -82,6 +90,8 @@ class Renderer {
   void setUvLayout(UvLayout layout);
   /// Sides of the mesh along which charts are opened, in order along each path; empty: none.
   void setCuts(std::span<const Index> sides);
+  /// More lines on the model, the first ones lowest; empty: none.
+  void setLines(std::span<const EdgeLines> lines);
 
   /// False while a mode has nothing to show; draw() then shows the plain surface.
   bool canShow(ColorMode mode) const;
@@ -228,6 +238,12 @@ class Renderer {
   std::map<ColorMode, ValueLayer> values_;
   std::optional<UvLayer> uv_;
   std::optional<CutLayer> cuts_;
+  /// Lines on the graphics card.
+  struct LineLayer {
+    CutLayer edges;
+    EdgeLines look;  ///< without its sides
+  };
+  std::vector<LineLayer> lines_;
   gl::TextureBuffer seeds_, checkerGlyphs_;
   RenderSettings lastSettings_;  // of the last picture: what is hidden there cannot be picked
   std::vector<SeedMark> seedMarks_;

@@ -70,6 +70,13 @@ void Renderer::drawLines(const Frame& frame) {
     cuts_->bind(units::kValues);
     drawCuts(frame, cuts_->triangle(), settings.cutWidth);
   }
+  for (const LineLayer& line : lines_) {
+    line.edges.bind(units::kValues);
+    const std::size_t count = line.edges.edges().size();
+    drawSegments(frame, count, glm::vec2(line.look.width + 1.6f), kInk);
+    drawSegments(frame, count, glm::vec2(line.look.width), glm::vec4(line.look.color, 1),
+                 line.look.dashed ? frame.dash : 0);
+  }
   if (mode == ColorMode::GaussEdge || mode == ColorMode::Gauss) {
     ScalarRange range = gauss_->edgeRange();
     range.scale = ScalarScale::Root;

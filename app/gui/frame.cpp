@@ -153,6 +153,7 @@ void Frame::drawScene(const Ui& ui, const Layout& layout, SceneSource* source) {
   endFixed();
   toasts(ui, low, high);
   firstStepsCard(ui, low, high);
+  handleFilmBar(ui, low, high);
 }
 
 void Frame::drawSplitters(const Ui& ui, const Layout& layout) {

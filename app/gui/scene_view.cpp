@@ -39,6 +39,11 @@ RenderSettings sceneSettings(const AppState& state, float pixelScale) {
   if (!state.showsFinal()) settings.playhead = state.playback.playhead();
   settings.hoverFace = state.hoveredFace;
   settings.selectedCharts.clear();
+  if (state.film.ready()) {
+    settings.colorMode = ColorMode::Charts;
+    settings.playhead = state.film.position();
+    return settings;
+  }
   if (state.selectedChart != kNone) settings.selectedCharts.push_back(state.selectedChart);
   if (state.view.isolate && state.selectedChart != kNone && state.results().segmentation) {
     const std::size_t count = state.results().segmentation->chartCount;
@@ -87,9 +92,26 @@ void SceneView::takeDerived(const Results& results) {
       });
 }
 
-void SceneView::takeFlood(const Results& results) {
-  if (results.record != record_) {
-    record_ = results.record;
+/// Fronts of the film in two colours that everyone can tell apart, what they remember dashed.
+void SceneView::takeFilm(const AppState& state) {
+  const bool shown = state.film.ready();
+  if (shown == filmShown_ && (!shown || state.film.position() == filmStep_)) return;
+  filmShown_ = shown;
+  filmStep_ = state.film.position();
+  std::vector<EdgeLines> lines;
+  if (shown) {
+    const HandleFilm::Lines& film = state.film.lines();
+    lines.push_back({film.kept, glm::vec3(0.95f, 0.90f, 0.25f), 2.2f, true});
+    lines.push_back({film.fronts, glm::vec3(1), 2.6f, false});
+    lines.push_back({film.cuts, glm::vec3(0.84f, 0.37f, 0.0f), 3.4f, false});
+  }
+  renderer_.setLines(lines);
+  ++content_;
+}
+
+void SceneView::takeFlood(const Results& results, std::shared_ptr<const FloodRecord> record) {
+  if (record != record_) {
+    record_ = std::move(record);
     recorded_ = 0;
     floodTaken_ = false;
     renderer_.setFlood(record_, 0);
@@ -166,7 +188,8 @@ void SceneView::takeIn(const AppState& state) {
     renderer_.setSegmentation(segmentation_.get());
     ++content_;
   }
-  takeFlood(results);
+  takeFlood(results, state.film.ready() ? state.film.flood() : results.record);
+  takeFilm(state);
   takeUnwrap(results);
   takeDistortion(results);
 }

@@ -73,7 +73,8 @@ class SceneView : public SceneSource {
   void takeIn(const AppState& state);
   void takeMesh(const Results& results);
   void takeDerived(const Results& results);
-  void takeFlood(const Results& results);
+  void takeFlood(const Results& results, std::shared_ptr<const FloodRecord> record);
+  void takeFilm(const AppState& state);
   void takeUnwrap(const Results& results);
   void takeDistortion(const Results& results);
   int samplesFor(bool moving) const;
@@ -95,6 +96,8 @@ class SceneView : public SceneSource {
   std::size_t recorded_ = 0;  ///< entries that the record had at the last look
   bool floodTaken_ = true;    ///< all of them are drawn from
   std::vector<Index> seeds_;
+  bool filmShown_ = false;    ///< lines of a film are drawn
+  std::size_t filmStep_ = 0;  ///< of these lines
   /// What drawing needs beside the results, worked out by a thread of its own.
   struct Derived {
     std::shared_ptr<const Mesh> mesh;

@@ -21,6 +21,10 @@ constexpr double kSecondsAtOnce = 0.009;      // of drawing before the window is
 RenderSettings uvSettings(const AppState& state, float pixelScale) {
   RenderSettings settings = sceneSettings(state, pixelScale);
   settings.hoverFace = kNone;  // drawn over the picture
+  if (state.film.ready()) {    // the film is about the model alone
+    settings.playhead.reset();
+    settings.colorMode = state.view.render.colorMode;
+  }
   settings.scalarBar = false;  // it stands beside the model
   settings.numbers = true;
   settings.textSize *= 0.9f;

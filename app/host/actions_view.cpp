@@ -117,18 +117,17 @@ void addColors(ActionRegistry& registry) {
 }
 
 void addCamera(ActionRegistry& registry) {
-  registry.add(
-      {.id = "frame-all",
-       .title = "Frame all",
-       .help = "Shows the whole model; with the mouse on the texture, the whole texture.",
-       .arguments = {},
-       .refusal = {},
-       .run = [](AppState& state, const Arguments&) {
-         if (state.panels.uvUnderMouse)
-           state.view.uvCamera = {};
-         else
-           state.view.frameWhenLoaded = true;
-       }});
+  registry.add({.id = "frame-all",
+                .title = "Frame all",
+                .help = "Shows the whole model; with the mouse on the texture, the whole texture.",
+                .arguments = {},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments&) {
+                  if (state.panels.uvUnderMouse)
+                    state.view.uvCamera = {};
+                  else
+                    state.view.frameWhenLoaded = true;
+                }});
   registry.bind("A", "frame-all");
   registry.bind("F", "frame-all");
   registry.add({.id = "view",

@@ -34,6 +34,7 @@ void AppState::update(double seconds) {
     placeSeeds();
     if (std::exchange(playWhenOpened_, false)) playback.playOneFlood();
   }
+  film.update(results_->segmentation, std::min(seconds, kLongestPlayedSeconds));
   const bool stopped = results_->stopReason != StopReason::NotStopped;
   const bool flooding = status_.busy && !status_.unwrapping;
   request(playback.update({hasMesh(), results_->record, flooding, stopped},

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/host/handle_film.h"
 #include "app/host/notices.h"
 #include "app/host/playback.h"
 #include "app/host/preferences.h"
@@ -28,7 +29,7 @@ struct PanelState {
   bool left = true, right = true, bottom = true;
   bool rightWanted = true;  ///< the window is wide enough for the right pane at first
   RightTab rightTab = RightTab::Uv;
-  bool uvUnderMouse = false;  ///< actions of the view mean the texture
+  bool uvUnderMouse = false;    ///< actions of the view mean the texture
   bool selectRightTab = false;  ///< the tab was chosen by an action and must be brought to front
   enum class Browse { Nothing, Open, SaveMesh, SaveUv, SaveSeams, SaveLabels, SaveReport };
   Browse browse = Browse::Nothing;  ///< what the file browser is open for
@@ -92,6 +93,7 @@ class AppState {
 
   ViewSettings view;
   Playback playback;
+  HandleFilm film;
   Preferences preferences;
   PanelState panels;
   Notices notices;

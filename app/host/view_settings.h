@@ -14,7 +14,7 @@ struct ViewSettings {
   Camera camera;
   UvStyle uv;
   UvCamera uvCamera;
-  bool isolate = false;  ///< only the selected chart is shown
+  bool isolate = false;         ///< only the selected chart is shown
   bool frameWhenLoaded = true;  ///< the camera has yet to be set up for a new model
 };
 

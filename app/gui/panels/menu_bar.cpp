@@ -147,6 +147,8 @@ void runMenu(const Ui& ui) {
     actionMenuItem(ui, line);
   }
   ImGui::Separator();
+  actionMenuItem(ui, "watch-handles");
+  ImGui::Separator();
   actionMenuItem(ui, "reset-flood");
   actionMenuItem(ui, "reset-seeds");
   ImGui::EndMenu();

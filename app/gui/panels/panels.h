@@ -31,5 +31,7 @@ void aboutWindow(const Ui& ui);
 void toasts(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
 /// The first steps, at the bottom of the area, until a key or click.
 void firstStepsCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
+/// The film of the HandleCutter, while there is one; in the 3D view between two corners.
+void handleFilmBar(const Ui& ui, ImVec2 low, ImVec2 high);
 
 }  // namespace chartflood
