@@ -135,7 +135,7 @@ std::string objText(const ChartedMesh& charted, const ObjOptions& options) {
 std::string materialText(std::span<const std::uint32_t> colorOfChart) {
   std::string text;
   std::array<char, kLongestReal> digits;
-  const auto add = [&](std::string name, std::uint32_t color) {
+  const auto add = [&](const std::string& name, std::uint32_t color) {
     text += "newmtl " + name + "\nKd";
     for (const unsigned shift : {16u, 8u, 0u}) {
       const double share = std::round(((color >> shift) & 255u) / 255.0 * 1e4) / 1e4;
