@@ -132,6 +132,10 @@ void drawMissing(const Ui& ui) {
   const bool can = ui.actions.find("unwrap") != nullptr;
   const std::string key = can ? ui.actions.shortcut("unwrap") : std::string();
   ImGui::Dummy({0, std::round(0.34f * room.y)});
+  const WorkStatus& status = ui.state.status();
+  if (status.busy && *status.phase != '\0') {
+    return centredText(ui, (std::string(status.phase) + "\u2026").c_str());
+  }
   centredText(ui, "The charts lie flat here once they are unwrapped.");
   if (!can) return;
   if (!key.empty()) centredText(ui, ("Press Unwrap (" + key + ")").c_str());
