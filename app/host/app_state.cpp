@@ -36,8 +36,7 @@ void AppState::update(double seconds) {
   }
   film.update(results_->segmentation, std::min(seconds, kLongestPlayedSeconds));
   const bool stopped = results_->stopReason != StopReason::NotStopped;
-  const bool flooding = status_.busy && !status_.unwrapping;
-  request(playback.update({hasMesh(), results_->record, flooding, stopped},
+  request(playback.update({hasMesh(), results_->record, changing(), stopped},
                           std::min(seconds, kLongestPlayedSeconds)));
 }
 
@@ -59,8 +58,7 @@ std::string AppState::modelName() const {
 
 bool AppState::showsFinal() const {
   const Segmentation* labels = results_->segmentation.get();
-  const bool changing = status_.busy && !status_.unwrapping;
-  return labels != nullptr && labels->complete && !changing && playback.atEnd() &&
+  return labels != nullptr && labels->complete && !changing() && playback.atEnd() &&
          playback.complete();
 }
 

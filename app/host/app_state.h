@@ -74,6 +74,8 @@ class AppState {
   /// "bunny" for /models/bunny.obj; "" without a mesh.
   std::string modelName() const;
 
+  /// True while the worker changes what the model shows; laying charts flat does not.
+  bool changing() const { return status_.busy && !status_.unwrapping; }
   /// True when the view shows the finished labels rather than a part of the record.
   bool showsFinal() const;
 

@@ -198,8 +198,7 @@ void scenePanel(const Ui& ui, SceneSource* source, SceneMouse& mouse) {
   ui.probe.item("view");
   useMouse(ui, source, view, mouse);
   const double still = ImGui::GetTime() - mouse.movedAt;
-  const bool moving =
-      still < kSettleSeconds || ui.state.playback.playing() || ui.state.status().busy;
+  const bool moving = still < kSettleSeconds || ui.state.playback.playing() || ui.state.changing();
   if (still < kSettleSeconds) ui.wakeIn(kSettleSeconds - still);
   if (source != nullptr) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;

@@ -145,10 +145,11 @@ void drawMissing(const Ui& ui) {
   textButton(ui, "Unwrap", "unwrap", {width, ui.px(32)});
 }
 
-std::string figures(const Atlas* atlas) {
-  if (atlas == nullptr) return "";
+std::string figures(const Results& results) {
+  if (!results.atlas) return "";
+  if (!results.flat) return "Out of date: press W";
   char text[96];
-  std::snprintf(text, sizeof text, "%.0f %% of the texture used", 100 * atlas->efficiency);
+  std::snprintf(text, sizeof text, "%.0f %% of the texture used", 100 * results.atlas->efficiency);
   return text;
 }
 
@@ -156,7 +157,7 @@ std::string figures(const Atlas* atlas) {
 void drawCaption(const Ui& ui, const UvRectangle& view) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushFont(ui.theme.small);
-  const std::string left = figures(ui.state.results().atlas.get());
+  const std::string left = figures(ui.state.results());
   const char* right = "Wheel: closer   Drag: move   F: all";
   const float y = view.max.y - ui.px(19), pad = ui.px(8);
   list.AddRectFilled({view.min.x, y - ui.px(5)}, view.max,
