@@ -42,6 +42,7 @@ std::unique_ptr<HandleFilm::Reel> HandleFilm::make(const Mesh& mesh, const Segme
   return reel;
 }
 
+HandleFilm::HandleFilm() = default;
 HandleFilm::~HandleFilm() { close(); }
 
 void HandleFilm::open(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Segmentation> labels,

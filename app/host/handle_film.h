@@ -30,7 +30,7 @@ class HandleFilm {
     std::vector<Index> fronts, kept, cuts;  ///< sides of the mesh, in order along each path
   };
 
-  HandleFilm() = default;
+  HandleFilm();
   ~HandleFilm();
   HandleFilm(const HandleFilm&) = delete;
   HandleFilm& operator=(const HandleFilm&) = delete;
