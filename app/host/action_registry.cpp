@@ -81,6 +81,7 @@ ActionRegistry makeActionRegistry() {
   addSegmentActions(registry);
   addViewActions(registry);
   addChartActions(registry);
+  addInsightActions(registry);
   addExportActions(registry);
   return registry;
 }

@@ -15,6 +15,8 @@ void addSegmentActions(ActionRegistry& registry);
 void addViewActions(ActionRegistry& registry);
 /// Selecting charts, looking at one alone, their texture and its checkerboard.
 void addChartActions(ActionRegistry& registry);
+/// The Gauss sphere, plots, figures of charts, and what deserves attention.
+void addInsightActions(ActionRegistry& registry);
 /// Pictures and files made from the results.
 void addExportActions(ActionRegistry& registry);
 

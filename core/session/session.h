@@ -52,6 +52,7 @@ struct Results {
   std::shared_ptr<const ChartSet> charts;
   std::shared_ptr<const Unwrap> unwrap;
   std::shared_ptr<const Atlas> atlas;
+  bool flat = false;  ///< the three above belong to `segmentation` and the present parameters
   /// The flood under way or last done; grows while the worker floods.
   std::shared_ptr<const FloodRecord> record;
   std::size_t recordIteration = 0;  ///< round that `record` belongs to
