@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace chartflood {
 
 namespace {
 
+constexpr double kTowering = 4;  // times the next bin
 constexpr const char* kHelp =
     "How often each value occurs, over the range of the colour bar. What lies outside is counted "
     "at the ends.";
@@ -52,6 +54,29 @@ std::string restReadout(const ModeHistogram& plot) {
   return text.empty() ? "share " + plot.weight : text;
 }
 
+/// Top of the axis in per cent. One bin that towers over all others is cut off, or it would press
+/// them to the ground.
+double axisTop(std::vector<double> share) {
+  std::sort(share.begin(), share.end(), std::greater<>());
+  const double most = 100 * share[0], next = 100 * share[1];
+  if (!(most > 0)) return 1;
+  return next > 0 && most > kTowering * next ? niceTop(1.2 * next) : niceTop(most);
+}
+
+/// Says how high a bin is that was cut off.
+void drawCut(const Ui& ui, const PlotArea& area, float x, float step, double percent) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::PushFont(ui.theme.small);
+  const std::string text = formatted("\u2191 %.0f %%", percent);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const bool right = x + step + ui.px(4) + size.x < area.high.x;
+  const ImVec2 at{right ? x + step + ui.px(4) : x - ui.px(4) - size.x, area.low.y + ui.px(1)};
+  list.AddRectFilled({at.x - ui.px(2), at.y}, {at.x + size.x + ui.px(2), at.y + size.y},
+                     ui.theme.palette.bar);
+  list.AddText(at, ui.theme.palette.text, text.c_str());
+  ImGui::PopFont();
+}
+
 /// The bin under the mouse where the plot stood in the last frame; `bins` when none.
 std::size_t binUnderMouse(const PlotArea& area, std::size_t bins) {
   const float share = (ImGui::GetIO().MousePos.x - area.low.x) / std::max(1.0f, area.width());
@@ -78,6 +103,10 @@ void drawBins(const Ui& ui, const PlotArea& area, const ValueAxis& axis, const H
   }
   // The outline is seen where a colour is as dark as the ground.
   list.AddPolyline(outline.data(), static_cast<int>(outline.size()), p.dim, 0, ui.px(1));
+  for (std::size_t i = 0; i < bins; ++i) {
+    if (100 * h.share[i] <= axis.high * 1.001) continue;
+    drawCut(ui, area, area.low.x + static_cast<float>(i) * step, step, 100 * h.share[i]);
+  }
   if (under >= bins) return;
   const float x = area.low.x + static_cast<float>(under) * step;
   list.AddRect({x - 1, area.low.y}, {x + step + 1, area.high.y + strip}, p.text, 0, 0, ui.px(1));
@@ -87,8 +116,7 @@ void drawBins(const Ui& ui, const PlotArea& area, const ValueAxis& axis, const H
 
 void histogramPlot(const Ui& ui, const ModeHistogram& plot, std::size_t number, float height) {
   const std::vector<double>& share = plot.histogram.share;
-  const double most = 100 * *std::max_element(share.begin(), share.end());
-  const ValueAxis axis{0, most > 0 ? niceTop(most) : 1, "%.3g %%"};
+  const ValueAxis axis{0, axisTop(share), "%.3g %%"};
   const std::string label = "plot/values" + (number == 0 ? "" : std::to_string(number));
   const std::string title =
       plot.range.title + (plot.range.unit.empty() ? "" : ", " + plot.range.unit);
@@ -108,13 +136,13 @@ void histogramPlot(const Ui& ui, const ModeHistogram& plot, std::size_t number, 
   bottomTicks(ui, area, ticks, ui.px(5));
 }
 
-void emptyHistogram(const Ui& ui, float height) {
+void emptyHistogram(const Ui& ui) {
   const ColorModeInfo& info = colorModeInfo(ui.state.view.render.colorMode);
   const bool valued = *info.colorMap != '\0';
-  PlotWords words{valued ? info.title : "Values of the colours", "plot/values", kHelp, ""};
-  const PlotArea area = beginPlot(ui, words, {0, 100, "%.3g %%"}, height);
-  emptyPlot(ui, area,
-            valued ? "Not computed yet." : "The colours show no values. Keys 3 to 8 choose some.");
+  const PlotWords words{valued ? info.title : "Values of the colours", "plot/values", kHelp, ""};
+  emptyPlot(ui, words,
+            valued ? "Not computed yet."
+                   : "The colours show no values now. Keys 3 to 8 choose some.");
 }
 
 }  // namespace chartflood

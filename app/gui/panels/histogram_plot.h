@@ -11,6 +11,6 @@ namespace chartflood {
 /// Draws one histogram; `number` tells several of one mode apart.
 void histogramPlot(const Ui& ui, const ModeHistogram& plot, std::size_t number, float height);
 /// The plot of a mode without values.
-void emptyHistogram(const Ui& ui, float height);
+void emptyHistogram(const Ui& ui);
 
 }  // namespace chartflood

@@ -95,6 +95,21 @@ void barNumbers(const Ui& ui, const PlotArea& area, const Columns& columns, bool
   bottomTicks(ui, area, ticks, ui.px(5));
 }
 
+/// Title and readout in small letters below.
+void plotHeading(const Ui& ui, const PlotWords& words) {
+  ImGui::PushFont(ui.theme.strong);
+  ImGui::TextUnformatted(words.title);
+  ImGui::PopFont();
+  tooltip(ui, std::string("title/") + words.label, words.title, words.help);
+  if (words.readout.empty()) return;
+  ImGui::PushFont(ui.theme.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(3)));
+  fittedText(ui, words.readout, ImGui::GetContentRegionAvail().x, ui.theme.palette.dim);
+  ui.probe.item(std::string("readout/") + words.label);
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
 }  // namespace
 
 float ValueAxis::y(const PlotArea& area, double value) const {
@@ -117,16 +132,9 @@ std::string formatted(const char* pattern, double value) {
 }
 
 PlotArea beginPlot(const Ui& ui, const PlotWords& words, const ValueAxis& axis, float height) {
+  plotHeading(ui, words);
   const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::PushFont(ui.theme.strong);
-  ImGui::TextUnformatted(words.title);
-  ImGui::PopFont();
-  tooltip(ui, std::string("title/") + words.label, words.title, words.help);
   ImGui::PushFont(ui.theme.small);
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, ui.px(3)));
-  fittedText(ui, words.readout.empty() ? "\u00a0" : words.readout, width, ui.theme.palette.dim);
-  ui.probe.item(std::string("readout/") + words.label);
-  ImGui::PopStyleVar();
   float left = 0;
   for (int i = 0; i <= 2; ++i) {
     const std::string text = formatted(axis.pattern, axis.low + (axis.high - axis.low) * i / 2);
@@ -140,6 +148,7 @@ PlotArea beginPlot(const Ui& ui, const PlotWords& words, const ValueAxis& axis, 
   PlotArea area{{low.x + left + ui.px(12), low.y + ui.px(10)},
                 {low.x + width - ui.px(10), low.y + height - ui.px(21)},
                 ImGui::IsItemHovered()};
+  ui.probe.rectangle(std::string("bars/") + words.label, area.low, area.high);
   for (int i = 0; i <= 2; ++i) {
     const double value = axis.low + (axis.high - axis.low) * i / 2;
     const float y = std::round(axis.y(area, value));
@@ -150,16 +159,18 @@ PlotArea beginPlot(const Ui& ui, const PlotWords& words, const ValueAxis& axis, 
   return area;
 }
 
-void emptyPlot(const Ui& ui, const PlotArea& area, const std::string& text) {
-  const float wrap = area.width() - ui.px(8);
+void emptyPlot(const Ui& ui, const PlotWords& words, const std::string& text) {
+  plotHeading(ui, words);
+  const ImVec2 low = ImGui::GetCursorScreenPos(), pad{ui.px(10), ui.px(8)};
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float wrap = width - 2 * pad.x;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
-  const ImVec2 at{std::round((area.low.x + area.high.x - size.x) / 2),
-                  std::round((area.low.y + area.high.y - size.y) / 2)};
+  ImGui::InvisibleButton(words.label, {width, size.y + 2 * pad.y});
+  ui.probe.item(words.label);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({at.x - ui.px(6), at.y}, {at.x + size.x + ui.px(6), at.y + size.y},
-                     ui.theme.palette.bar);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ui.theme.palette.dim, text.c_str(),
-               nullptr, wrap);
+  list.AddRectFilled(low, ImGui::GetItemRectMax(), ui.theme.palette.bar, ui.px(3));
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad.x, low.y + pad.y},
+               ui.theme.palette.dim, text.c_str(), nullptr, wrap);
 }
 
 void bottomTicks(const Ui& ui, const PlotArea& area, const std::vector<PlotTick>& ticks,

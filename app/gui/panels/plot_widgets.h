@@ -23,7 +23,7 @@ struct PlotWords {
   const char* title = "";
   const char* label = "";  ///< in the probe
   const char* help = "";   ///< tooltip of the title
-  std::string readout;     ///< the line under the title: a figure of what is pointed at
+  std::string readout;     ///< the line under the title: a figure of what is pointed at; "": none
 };
 
 /// Values from the bottom to the top of a plot.
@@ -42,8 +42,8 @@ std::string formatted(const char* pattern, double value);
 
 /// Title, readout and an empty plot with lines at the bottom, middle and top of the axis.
 PlotArea beginPlot(const Ui& ui, const PlotWords& words, const ValueAxis& axis, float height);
-/// A dim sentence in the middle of a plot.
-void emptyPlot(const Ui& ui, const PlotArea& area, const std::string& text);
+/// Instead of a plot: a low box with a sentence that says what is missing.
+void emptyPlot(const Ui& ui, const PlotWords& words, const std::string& text);
 
 /// A label below the area.
 struct PlotTick {

@@ -58,8 +58,8 @@ void areaOfCharts(const Ui& ui, float height) {
     bars.hasLevel = true;
   }
   const ValueAxis axis{0, most > 0 ? niceTop(most) : 1, "%.3g sr"};
+  if (!any) return emptyPlot(ui, words, "No charts yet. Press Space.");
   const PlotArea area = beginPlot(ui, words, axis, height);
-  if (!any) return emptyPlot(ui, area, "No charts yet. Press Space.");
   drawChartBars(ui, area, axis, bars);
 }
 
@@ -112,8 +112,8 @@ void stretchPlot(const Ui& ui, float height) {
     if (value > most) most = value;
   }
   const ValueAxis axis{1, 1 + niceTop(most - 1), "%.3g"};
+  if (bars.values.empty()) return emptyPlot(ui, words, unwrapHint(ui));
   const PlotArea area = beginPlot(ui, words, axis, height);
-  if (bars.values.empty()) return emptyPlot(ui, area, unwrapHint(ui));
   drawChartBars(ui, area, axis, bars);
 }
 
@@ -122,6 +122,7 @@ std::string roundReadout(const Results& results, std::size_t round) {
   std::string text = "round " + std::to_string(round + 1) + ": spread " +
                      formatted("%.1f %%", 100 * r.stdOverMean);
   if (round == results.bestIteration) text += ", the best";
+  if (round == 0) return text;
   return text + ", " + std::to_string(r.movedSeeds) + (r.movedSeeds == 1 ? " seed" : " seeds") +
          " moved";
 }
@@ -159,12 +160,11 @@ void spreadOverRounds(const Ui& ui, float height) {
                   "Standard deviation of the charts' Gauss areas over their mean. Lower is more "
                   "even. The bright point is the best round; double-click a round to use it.",
                   shown < rounds ? roundReadout(results, shown) : ""};
+  if (rounds == 0) return emptyPlot(ui, words, "No round finished yet. Press L.");
   const PlotArea area = beginPlot(ui, words, axis, height);
-  const std::size_t now =
-      area.hovered && rounds > 0 ? roundUnderMouse(area, rounds) : UiMemory::kNowhere;
+  const std::size_t now = area.hovered ? roundUnderMouse(area, rounds) : UiMemory::kNowhere;
   if (now != under) ui.wakeIn(0);  // the readout stands above
   under = now;
-  if (rounds == 0) return emptyPlot(ui, area, "No round finished yet. Press L.");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   std::vector<ImVec2> points;
   for (std::size_t i = 0; i < rounds; ++i) {
@@ -184,11 +184,13 @@ void spreadOverRounds(const Ui& ui, float height) {
   bottomTicks(ui, area, roundTicks(area, rounds, ui.px(28)), ui.px(3));
 }
 
-/// Height of each plot so that they fill the tab, or scroll.
-float plotHeight(const Ui& ui, int plots) {
-  const float line = ImGui::GetTextLineHeight() + ui.theme.small->FontSize;
-  const float gaps = 2 * ImGui::GetStyle().ItemSpacing.y + ui.px(12);
-  const float room = ImGui::GetContentRegionAvail().y / static_cast<float>(plots) - line - gaps;
+/// Height of each full plot so that all fill the tab, or scroll.
+float plotHeight(const Ui& ui, int full, int empty) {
+  const float gap = ImGui::GetStyle().ItemSpacing.y, line = ImGui::GetTextLineHeight();
+  const float words = line + ui.theme.small->FontSize + 3 * gap;
+  const float boxes = static_cast<float>(empty) * (3 * line + 2 * gap + ui.px(16));
+  const float room =
+      (ImGui::GetContentRegionAvail().y - boxes) / static_cast<float>(std::max(1, full)) - words;
   return std::round(std::clamp(room, ui.px(kLeastHeight), ui.px(kMostHeight)));
 }
 
@@ -200,11 +202,14 @@ void plotsPanel(const Ui& ui) {
                                                         ui.state.status().busy);
   const int inMode = histograms ? static_cast<int>(histograms->size()) : 0;
   ImGui::BeginChild("plots", {0, 0}, false, ImGuiWindowFlags_NoNav);
-  const float height = plotHeight(ui, 3 + std::max(1, inMode));
+  const Results& results = ui.state.results();
+  const int full = (results.chartStats ? 1 : 0) + (stretchOfCharts(results).empty() ? 0 : 1) +
+                   inMode + (results.history.empty() ? 0 : 1);
+  const float height = plotHeight(ui, full, 3 + std::max(1, inMode) - full);
   areaOfCharts(ui, height);
   stretchPlot(ui, height);
   if (inMode == 0) {
-    emptyHistogram(ui, height);
+    emptyHistogram(ui);
   } else {
     for (std::size_t i = 0; i < histograms->size(); ++i) {
       histogramPlot(ui, (*histograms)[i], i, height);
