@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/host/sphere_grid.h"
-#include "core/gauss/spherical_polygon.h"
 
 namespace chartflood {
 
@@ -16,26 +15,29 @@ constexpr float kLongestSide = 0.18f;  // of a facet: about 10 degrees
 constexpr double kFlat = 1e-9;         // steradians
 constexpr std::size_t kMostPoints = 400;
 
-float longestSide(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  return std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-}
-
 glm::vec3 halfway(const glm::vec3& a, const glm::vec3& b) {
   const glm::vec3 sum = a + b;
   const float length = glm::length(sum);
   return length > 1e-6f ? sum / length : a;
 }
 
-/// Splits a spherical triangle until its sides are short and calls `take(a, b, c)` for each part.
+float squaredLength(const glm::vec3& d) { return glm::dot(d, d); }
+
+/// Halves a spherical triangle at its longest side until its sides are at most `side` long, and
+/// calls `take(a, b, c)` for each part. Slivers fall into few parts.
 template <typename Take>
 void subdivide(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, float side, int depth,
                Take&& take) {
-  if (depth == 0 || longestSide(a, b, c) <= side) return take(a, b, c);
-  const glm::vec3 ab = halfway(a, b), bc = halfway(b, c), ca = halfway(c, a);
-  subdivide(a, ab, ca, side, depth - 1, take);
-  subdivide(ab, b, bc, side, depth - 1, take);
-  subdivide(ca, bc, c, side, depth - 1, take);
-  subdivide(ab, bc, ca, side, depth - 1, take);
+  const float ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
+  const float longest = std::max({ab, bc, ca});
+  if (depth == 0 || longest <= side * side) return take(a, b, c);
+  if (ab < longest) {
+    return bc < longest ? subdivide(c, a, b, side, depth, take)
+                        : subdivide(b, c, a, side, depth, take);
+  }
+  const glm::vec3 middle = halfway(a, b);
+  subdivide(a, middle, c, side, depth - 1, take);
+  subdivide(middle, b, c, side, depth - 1, take);
 }
 
 class PatchBuilder {
@@ -112,7 +114,7 @@ class PatchBuilder {
 
   void cover(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     if (patch_.sampled) return sample(a, b, c);
-    subdivide(a, b, c, kLongestSide, 5,
+    subdivide(a, b, c, kLongestSide, 10,
               [&](const glm::vec3& x, const glm::vec3& y, const glm::vec3& z) {
                 patch_.facets.push_back({{x, y, z, z}, 3, 1.0f});
               });
@@ -123,10 +125,11 @@ class PatchBuilder {
   }
 
   void sample(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    subdivide(a, b, c, SphereGrid::kCellSide, 8,
+    subdivide(a, b, c, SphereGrid::kCellSide, 16,
               [&](const glm::vec3& x, const glm::vec3& y, const glm::vec3& z) {
-                const double area = std::abs(signedTriangleArea(x, y, z));
-                grid_.add(x + y + z, static_cast<float>(area));
+                // So small a piece is flat.
+                const float area = glm::length(glm::cross(y - x, z - x)) / 2;
+                grid_.add(x + y + z, area);
                 grid_.touch(x);
               });
   }

@@ -37,8 +37,8 @@ void turn(const Ui& ui, float radius) {
 void drawDots(const Ui& ui, const SphereDrawing& sphere, Index shown) {
   const auto dots = ui.state.insight().dots(ui.state.results());
   if (!dots) return;
-  const float size = ui.px(shown == kNone ? 2.0f : 1.6f);
-  const ImU32 alpha = IM_COL32(0, 0, 0, shown == kNone ? 200 : 90);
+  const float size = std::max(1.0f, (shown == kNone ? 2.4f : 1.9f) * ui.theme.scale);
+  const ImU32 alpha = IM_COL32(0, 0, 0, shown == kNone ? 210 : 130);
   const ImU32 dry = ui.theme.palette.dim;
   for (const SphereDot& dot : *dots) {
     const Index chart = ui.state.chartOfFace(dot.face);
@@ -55,7 +55,7 @@ void drawHalf(const Ui& ui, const SphereDrawing& sphere, const SpherePatch& patc
   const auto with = [&](ImU32 c, int alpha) {
     return (c & ~IM_COL32_A_MASK) | (static_cast<ImU32>(alpha) << IM_COL32_A_SHIFT);
   };
-  sphere.facets(patch.facets, half, color, front ? 0.55f : 0.16f);
+  sphere.facets(patch.facets, half, color, front ? 0.45f : 0.14f);
   sphere.arcs(patch.arcs, half, with(line, front ? 170 : 50));
   for (const auto& corner : patch.corners) {
     sphere.outline(corner, half, with(line, front ? 230 : 60));

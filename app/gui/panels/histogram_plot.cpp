@@ -98,7 +98,8 @@ void drawBins(const Ui& ui, const PlotArea& area, const ValueAxis& axis, const H
         mapColor(ui.state.view.render, (static_cast<float>(i) + 0.5f) / static_cast<float>(bins));
     if (h.share[i] > 0) list.AddRectFilled({x0, y}, {x1, area.high.y}, color);
     list.AddRectFilled({x0, area.high.y}, {x1, area.high.y + strip}, color);
-    outline.push_back({x0, y});
+    // A line must not turn back on itself, or its joints bulge.
+    if (outline.empty() || outline.back().y != y) outline.push_back({x0, y});
     outline.push_back({x1, y});
   }
   // The outline is seen where a colour is as dark as the ground.

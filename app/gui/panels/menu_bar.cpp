@@ -95,7 +95,8 @@ void viewMenu(const Ui& ui) {
   }
   checkerMenu(ui);
   ImGui::Separator();
-  for (const char* line : {"previous-chart", "next-chart", "isolate", "problems"}) actionMenuItem(ui, line);
+  for (const char* line : {"previous-chart", "next-chart", "isolate", "problems"})
+    actionMenuItem(ui, line);
   ImGui::Separator();
   actionMenuItem(ui, "frame-selection");
   actionMenuItem(ui, "frame-all");

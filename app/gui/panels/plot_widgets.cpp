@@ -119,7 +119,7 @@ float ValueAxis::y(const PlotArea& area, double value) const {
 
 double niceTop(double value) {
   const double power = std::pow(10, std::floor(std::log10(std::max(value, 1e-12))));
-  for (const double factor : {1.0, 2.0, 5.0}) {
+  for (const double factor : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}) {
     if (value <= factor * power * (1 + 1e-9)) return factor * power;
   }
   return 10 * power;

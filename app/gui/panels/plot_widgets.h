@@ -35,7 +35,7 @@ struct ValueAxis {
   float y(const PlotArea& area, double value) const;
 };
 
-/// The smallest of 1, 2, 5 times a power of ten that is not below `value`.
+/// The smallest of 1, 2, 3, 4, 5, 6, 8 times a power of ten that is not below `value`.
 double niceTop(double value);
 /// One number in a printf pattern.
 std::string formatted(const char* pattern, double value);
