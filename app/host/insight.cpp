@@ -73,7 +73,11 @@ Insight::histograms(const Results& results, const RenderSettings& settings, bool
   case ColorMode::FloodOrder:
     key.values = results.record;
     key.weights = results.mesh;
-    if (results.record && !busy) key.recorded = source.recorded = results.record->size();
+    if (results.record && (!busy || counted_ != results.record)) {
+      counted_ = results.record;
+      recorded_ = counted_->size();
+    }
+    key.recorded = source.recorded = results.record ? recorded_ : 0;
     break;
   case ColorMode::Stretch:
   case ColorMode::AreaDistortion:

@@ -30,7 +30,7 @@ class Insight {
   /// Null until it belongs to the mesh of the results.
   std::shared_ptr<const SurfaceDerived> surface(const Results& results);
   std::shared_ptr<const std::vector<Problem>> problems(const Results& results);
-  /// Histograms of the present colour mode. While the flood runs its record is not followed.
+  /// Histograms of the present colour mode. A record is not followed while it grows (`busy`).
   std::shared_ptr<const std::vector<ModeHistogram>>
   histograms(const Results& results, const RenderSettings& settings, bool busy);
   /// Normals of a chart; null until it belongs to that chart of the present labels.
@@ -68,6 +68,8 @@ class Insight {
             Problems>
       problems_;
   LazyValue<HistogramKey, Histograms> histograms_;
+  std::shared_ptr<const FloodRecord> counted_;  ///< the record of the last histogram
+  std::size_t recorded_ = 0;                    ///< how much of it
   LazyValue<
       std::tuple<std::shared_ptr<const SurfaceDerived>, std::shared_ptr<const Segmentation>, Index>,
       OwnedPatch>

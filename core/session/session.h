@@ -48,11 +48,12 @@ struct Results {
   std::shared_ptr<const GaussArea> gaussArea;
   std::shared_ptr<const Segmentation> segmentation;  ///< at the end of the last step
   std::shared_ptr<const ChartStats> chartStats;      ///< of `segmentation`
-  /// The charts with their cuts, laid flat, and placed in one texture; null before an unwrap.
+  /// The charts laid flat: all three or none. They stay while charts change; `flat` tells whether
+  /// they belong to `segmentation` and the present parameters.
   std::shared_ptr<const ChartSet> charts;
   std::shared_ptr<const Unwrap> unwrap;
   std::shared_ptr<const Atlas> atlas;
-  bool flat = false;  ///< the three above belong to `segmentation` and the present parameters
+  bool flat = false;
   /// The flood under way or last done; grows while the worker floods.
   std::shared_ptr<const FloodRecord> record;
   std::size_t recordIteration = 0;  ///< round that `record` belongs to

@@ -129,6 +129,8 @@ TEST(ModeHistograms, FloodOrderOfAFinishedFloodIsAsWideAsTheSurface) {
   ASSERT_EQ(plots->size(), 1u);
   // Faces of an even sphere are alike: each bin holds about its part.
   for (const double share : (*plots)[0].histogram.share) EXPECT_NEAR(share, 1.0 / 48, 0.01);
+  // A record that grows keeps the shares that it had.
+  EXPECT_EQ(sphere.state.insight().histograms(sphere.results(), settings, true), plots);
   settings.colorMode = ColorMode::Charts;
   EXPECT_TRUE(sphere.state.insight().histograms(sphere.results(), settings, false)->empty());
 }
