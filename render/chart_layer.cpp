@@ -1,13 +1,12 @@
 #include "render/chart_layer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include "core/base/error.h"
+#include "render/mode_range.h"
 
 namespace chartflood {
 
@@ -62,18 +61,8 @@ void ChartLayer::recolor(std::span<const ChartPair> neighbours) {
 }
 
 void ChartLayer::setBalance(std::span<const double> gaussArea) {
-  const double sum = std::accumulate(gaussArea.begin(), gaussArea.end(), 0.0);
-  const double mean = gaussArea.empty() ? 0 : sum / static_cast<double>(gaussArea.size());
-  balance_.clear();
-  double largest = 0;
-  for (const double area : gaussArea) {
-    balance_.push_back(mean > 1e-9 ? static_cast<float>(100 * (area / mean - 1)) : 0.0f);
-    largest = std::max(largest, std::abs(double{balance_.back()}));
-  }
-  // Never less than 10 %: a good balance shall look white.
-  balanceRange_ = {};
-  balanceRange_.max = std::clamp(std::ceil(largest / 10) * 10, 10.0, 100.0);
-  balanceRange_.min = -balanceRange_.max;
+  balance_ = balanceValues(gaussArea);
+  balanceRange_ = chartflood::balanceRange(balance_);
 }
 
 void ChartLayer::update(const RenderSettings& settings, std::span<const float> longestTime) {

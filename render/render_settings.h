@@ -120,7 +120,8 @@ struct RenderSettings {
   /// Shows the recorded flood with only the first so many faces taken; nothing: the labels.
   std::optional<std::size_t> playhead;
 
-  Index hoverFace = kNone;            ///< drawn brighter
+  Index hoverFace = kNone;            ///< drawn brighter, its chart a little
+  Index hoverChart = kNone;           ///< drawn a little brighter where no face is
   std::vector<Index> selectedCharts;  ///< when not empty, the others step back
   std::vector<Index> hiddenCharts;    ///< not drawn at all
 

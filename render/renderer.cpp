@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "render/mode_range.h"
 #include "render/renderer_colors.h"
 
 namespace chartflood {
@@ -14,31 +15,6 @@ namespace {
 bool isGauss(ColorMode mode) {
   return mode == ColorMode::GaussVertex || mode == ColorMode::GaussEdge ||
          mode == ColorMode::GaussFace || mode == ColorMode::Gauss;
-}
-
-/// Range of an unwrap's distortion: from the undistorted value on, the tail of the surface cut at
-/// 98 %.
-ScalarRange distortionRange(ColorMode mode, std::span<const float> values,
-                            std::span<const double> areas) {
-  std::vector<WeightedValue> sizes;
-  sizes.reserve(values.size());
-  const bool signedValues = mode == ColorMode::AreaDistortion;
-  for (std::size_t t = 0; t < values.size(); ++t) {
-    const double value = double{values[t]};
-    sizes.push_back({signedValues ? std::abs(value) : value, areas[t]});
-  }
-  ScalarRange range;
-  if (signedValues) {
-    range.max = std::max(std::ceil(weightedPercentile(sizes, 0.98) * 2) / 2, 0.5);
-    range.min = -range.max;
-    return range;
-  }
-  range.min = 1;
-  // Never less than 1.1, or the noise of a good unwrap would look like a bad one.
-  range.max = std::max(std::ceil(weightedPercentile(sizes, 0.98) * 20) / 20, 1.1);
-  range.hasMean = true;
-  range.mean = weightedMean(sizes);
-  return range;
 }
 
 }  // namespace
@@ -206,17 +182,6 @@ std::optional<ScalarRange> Renderer::scalarRange(const RenderSettings& settings)
   range.unit = info.unit;
   range.scale = info.scale;
   return chosenRange(range, settings);
-}
-
-ScalarRange Renderer::chosenRange(ScalarRange range, const RenderSettings& settings) const {
-  if (settings.scale) range.scale = *settings.scale;
-  if (settings.range && settings.range->first < settings.range->second) {
-    range.min = settings.range->first;
-    range.max = settings.range->second;
-  }
-  // A logarithm has no place for 0: show four decades below the top.
-  if (range.scale == ScalarScale::Log && range.min <= 0) range.min = 1e-4 * std::abs(range.max);
-  return range;
 }
 
 }  // namespace chartflood

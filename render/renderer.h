@@ -217,7 +217,6 @@ class Renderer {
   void addNumbers(const Frame& frame, const Camera& camera);
   void setScale(gl::Program& program, const ScalarRange& range, const RenderSettings& settings);
   void useColorMap(const RenderSettings& settings);
-  ScalarRange chosenRange(ScalarRange range, const RenderSettings& settings) const;
   std::vector<GLuint> drawIds(gl::Program& program, const Eye& eye, int width, int height,
                               const RenderSettings& settings, float* depth);
   Pick pickOf(Index triangle) const;

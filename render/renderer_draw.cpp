@@ -36,7 +36,7 @@ void Renderer::warmUp(const RenderSettings& settings, std::span<const int> sampl
 }
 
 unsigned Renderer::hoveredChart(const RenderSettings& settings) const {
-  if (settings.hoverFace >= mesh_->faceCount()) return kNone;
+  if (settings.hoverFace >= mesh_->faceCount()) return settings.hoverChart;
   return shownChart(mesh_->triangleBegin(settings.hoverFace), settings);
 }
 

@@ -15,6 +15,7 @@ namespace {
 constexpr double kNever = 1e9;
 constexpr float kLeftWidth = 330, kRightWidth = 370;
 constexpr float kLeastPane = 250, kLeastView = 240;
+constexpr float kWholeTabNames = 320;
 constexpr float kToolHeight = 46, kTimelineHeight = 70, kStatusHeight = 30;
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
@@ -123,7 +124,8 @@ void Frame::drawRight(const Ui& ui, const Layout& layout, UvSource* uvSource) {
       const bool bring = panels.selectRightTab && panels.rightTab == which;
       const bool open =
           ImGui::BeginTabItem(name, nullptr, bring ? ImGuiTabItemFlags_SetSelected : 0);
-      ui.probe.item(std::string("tab/") + name);
+      const std::string_view whole = name;
+      ui.probe.item("tab/" + std::string(whole.substr(whole.rfind('#') + 1)));
       if (!open) return;
       if (!panels.selectRightTab) panels.rightTab = which;
       content(ui);
@@ -137,7 +139,11 @@ void Frame::drawRight(const Ui& ui, const Layout& layout, UvSource* uvSource) {
     });
     if (!uvShown) leaveUv(ui, uvMouse_);
     tab("Charts", PanelState::RightTab::Charts, chartTable);
-    tab("Balance", PanelState::RightTab::Balance, balancePlot);
+    // The tab's whole name only where all names have room.
+    const bool wide = ImGui::GetWindowWidth() > theme_.px(kWholeTabNames);
+    tab(wide ? "Gauss sphere###sphere" : "Sphere###sphere", PanelState::RightTab::Sphere,
+        spherePanel);
+    tab("Plots", PanelState::RightTab::Plots, plotsPanel);
     panels.selectRightTab = false;
     ImGui::EndTabBar();
   }
@@ -171,11 +177,21 @@ void Frame::drawSplitters(const Ui& ui, const Layout& layout) {
   }
 }
 
+void Frame::takeChartColors(SceneSource* source) {
+  memory_.chartColors.clear();
+  if (source == nullptr) return;
+  for (const glm::vec3& c : source->chartColors(state_)) {
+    memory_.chartColors.push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
+  }
+}
+
 void Frame::draw(SceneSource* source, UvSource* uvSource) {
   probe_.beginFrame();
   memory_.wakeIn = kNever;
   memory_.hoveredSeen = false;
+  memory_.pointed = kNone;
   const Ui ui{state_, actions_, theme_, probe_, memory_};
+  takeChartColors(source);
   const Layout layout = layOut();
   drawScene(ui, layout, source);
   drawBars(ui, layout);
@@ -187,6 +203,10 @@ void Frame::draw(SceneSource* source, UvSource* uvSource) {
   aboutWindow(ui);
   browser_.draw(ui);
   if (!memory_.hoveredSeen) memory_.hovered.clear();
+  if (state_.pointedChart != memory_.pointed) {
+    state_.pointedChart = memory_.pointed;
+    ui.wakeIn(0);  // the views follow
+  }
   if (state_.playback.playing() || state_.status().busy) ui.wakeIn(0);
 }
 

@@ -40,6 +40,7 @@ class Frame {
   };
 
   Layout layOut();
+  void takeChartColors(SceneSource* source);
   void drawBars(const Ui& ui, const Layout& layout);
   void drawLeft(const Ui& ui, const Layout& layout);
   void drawRight(const Ui& ui, const Layout& layout, UvSource* uvSource);

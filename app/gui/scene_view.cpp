@@ -7,7 +7,6 @@
 #include <epoxy/gl.h>
 
 #include "app/gui/imgui_gl.h"
-#include "core/gauss/sector_normals.h"
 #include "render/corner_uv.h"
 
 namespace chartflood {
@@ -38,6 +37,7 @@ RenderSettings sceneSettings(const AppState& state, float pixelScale) {
   settings.playhead.reset();
   if (!state.showsFinal()) settings.playhead = state.playback.playhead();
   settings.hoverFace = state.hoveredFace;
+  settings.hoverChart = state.pointedChart;
   settings.selectedCharts.clear();
   if (state.film.ready()) {
     settings.colorMode = ColorMode::Charts;
@@ -62,6 +62,7 @@ void SceneView::takeMesh(const Results& results) {
   renderer_.setMesh(mesh_, nullptr);
   segmentation_.reset();
   record_.reset();
+  derived_.reset();
   seeds_.clear();
   chartSet_.reset();
   atlas_.reset();
@@ -69,27 +70,16 @@ void SceneView::takeMesh(const Results& results) {
   ++content_;
 }
 
-void SceneView::takeDerived(const Results& results) {
-  if (isReady(derived_)) {
-    const Derived derived = derived_.get();
-    if (derived.mesh == mesh_) {
-      renderer_.setNormals(&derived.normals);
-      renderer_.setGaussValues(derived.gaussValues);
-      const int samples[] = {1, kSmoothSamples};
-      if (warmedFor_ != mesh_) renderer_.warmUp(RenderSettings{}, samples);
-      warmedFor_ = mesh_;
-      ++content_;
-    }
-  }
-  if (!results.gaussArea || results.gaussArea == derivedFrom_ || derived_.valid()) return;
-  derivedFrom_ = results.gaussArea;
-  derived_ =
-      std::async(std::launch::async, [mesh = mesh_, gaussArea = results.gaussArea, wake = wake_] {
-        Derived derived{mesh, gaussArea, computeCornerNormals(*mesh, gaussArea->sharpAngle),
-                        gaussValues(*mesh, *gaussArea)};
-        wake();
-        return derived;
-      });
+void SceneView::takeDerived(const AppState& state) {
+  const auto derived = state.insight().surface(state.results());
+  if (!derived || derived == derived_) return;
+  derived_ = derived;
+  renderer_.setNormals(&derived->normals);
+  renderer_.setGaussValues(derived->gaussValues);
+  const int samples[] = {1, kSmoothSamples};
+  if (warmedFor_ != mesh_) renderer_.warmUp(RenderSettings{}, samples);
+  warmedFor_ = mesh_;
+  ++content_;
 }
 
 /// Fronts of the film in two colours that everyone can tell apart, what they remember dashed.
@@ -182,7 +172,7 @@ void SceneView::takeIn(const AppState& state) {
   const Results& results = state.results();
   takeMesh(results);
   if (!mesh_) return;
-  takeDerived(results);
+  takeDerived(state);
   if (results.segmentation != segmentation_) {
     segmentation_ = results.segmentation;
     renderer_.setSegmentation(segmentation_.get());
@@ -260,6 +250,16 @@ ImTextureID SceneView::picture(const AppState& state, int width, int height, flo
     if (lastSeconds_ < kSecondsAtOnce) goOn();
   }
   return textureId(shown_ ? front_.texture() : back_.texture());
+}
+
+std::vector<glm::vec3> SceneView::chartColors(const AppState& state) const {
+  std::vector<glm::vec3> colors;
+  const Segmentation* labels = state.results().segmentation.get();
+  const auto count = static_cast<Index>(labels == nullptr ? 0 : labels->chartCount);
+  for (Index c = 0; c < count; ++c) {
+    colors.push_back(renderer_.chartColor(c, state.view.render));
+  }
+  return colors;
 }
 
 Pick SceneView::pick(int x, int y) {

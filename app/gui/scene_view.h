@@ -13,8 +13,6 @@
 #include <imgui.h>
 
 #include "app/host/app_state.h"
-#include "core/model/corner_normals.h"
-#include "render/gauss_layer.h"
 #include "render/gl/framebuffer.h"
 #include "render/renderer.h"
 
@@ -31,6 +29,8 @@ class SceneSource {
   virtual Pick pick(int x, int y) = 0;
   /// Seconds that the last pick took.
   virtual double pickSeconds() const = 0;
+  /// Colour of each chart in the picture, sRGB in [0, 1]; empty: not known.
+  virtual std::vector<glm::vec3> chartColors(const AppState&) const { return {}; }
 };
 
 /// The settings of the picture that shows the state now: playhead, selection, hover.
@@ -46,6 +46,7 @@ class SceneView : public SceneSource {
                       bool moving) override;
   Pick pick(int x, int y) override;
   double pickSeconds() const override { return pickSeconds_; }
+  std::vector<glm::vec3> chartColors(const AppState& state) const override;
 
   /// True while a slow picture is on its way: call goOn() until it is done.
   bool busy() const { return pending_.has_value(); }
@@ -72,7 +73,7 @@ class SceneView : public SceneSource {
 
   void takeIn(const AppState& state);
   void takeMesh(const Results& results);
-  void takeDerived(const Results& results);
+  void takeDerived(const AppState& state);
   void takeFlood(const Results& results, std::shared_ptr<const FloodRecord> record);
   void takeFilm(const AppState& state);
   void takeUnwrap(const Results& results);
@@ -96,17 +97,9 @@ class SceneView : public SceneSource {
   std::size_t recorded_ = 0;  ///< entries that the record had at the last look
   bool floodTaken_ = true;    ///< all of them are drawn from
   std::vector<Index> seeds_;
-  bool filmShown_ = false;    ///< lines of a film are drawn
-  std::size_t filmStep_ = 0;  ///< of these lines
-  /// What drawing needs beside the results, worked out by a thread of its own.
-  struct Derived {
-    std::shared_ptr<const Mesh> mesh;
-    std::shared_ptr<const GaussArea> gaussArea;
-    CornerNormals normals;
-    GaussValues gaussValues;
-  };
-  std::future<Derived> derived_;
-  std::shared_ptr<const GaussArea> derivedFrom_;  ///< of the last one asked for
+  bool filmShown_ = false;                         ///< lines of a film are drawn
+  std::size_t filmStep_ = 0;                       ///< of these lines
+  std::shared_ptr<const SurfaceDerived> derived_;  ///< uploaded
 
   /// Texture places and cuts, worked out by a thread of its own.
   struct Flat {

@@ -1,8 +1,11 @@
 #pragma once
 /// What every panel is given: the state it shows, the actions it emits, and how to draw.
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/gui/probe.h"
 #include "app/gui/theme.h"
@@ -19,6 +22,12 @@ struct UiMemory {
   std::string typing;        ///< label of the slider that is being typed into
   std::string typed;         ///< what was typed so far
   bool typingBegins = false;
+  Index pointed = kNone;           ///< chart that a plot or list says is under the mouse
+  std::vector<ImU32> chartColors;  ///< as on the model, by number; empty: not known
+  /// Under the mouse in the last frame; out of range: none. Readouts stand above their plots.
+  std::array<std::size_t, 3> binUnderMouse{kNowhere, kNowhere, kNowhere};
+  std::size_t roundUnderMouse = kNowhere;
+  static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
   float leftWidth = 0, rightWidth = 0;  ///< pixels; 0: not laid out yet
   double wakeIn = 1e9;                  ///< seconds until the next frame is needed
 };
@@ -33,6 +42,8 @@ struct Ui {
   /// Runs a script line; failures become toasts.
   void run(std::string_view line) const { state.perform(actions, line); }
   float px(float length) const { return theme.px(length); }
+  /// Says that a chart is under the mouse, in this frame.
+  void pointAt(Index chart) const { memory.pointed = chart; }
   /// Asks for another frame at the latest after so many seconds.
   void wakeIn(double seconds) const {
     if (seconds < memory.wakeIn) memory.wakeIn = seconds;

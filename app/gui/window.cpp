@@ -128,8 +128,12 @@ class Window::Parts {
     drawer_.uploadFonts();
     if (!watch_.frameLog.empty()) frameLog_.open(watch_.frameLog);
     state_.session().setWake(wakeWindow);
+    state_.insight().setWake(wakeWindow);
   }
-  ~Parts() { state_.session().setWake(nullptr); }
+  ~Parts() {
+    state_.session().setWake(nullptr);
+    state_.insight().setWake({});
+  }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 

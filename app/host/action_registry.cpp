@@ -82,6 +82,7 @@ ActionRegistry makeActionRegistry() {
   addViewActions(registry);
   addChartActions(registry);
   addFilmActions(registry);
+  addInsightActions(registry);
   addExportActions(registry);
   return registry;
 }

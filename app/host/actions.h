@@ -17,6 +17,8 @@ void addViewActions(ActionRegistry& registry);
 void addChartActions(ActionRegistry& registry);
 /// The film of the HandleCutter.
 void addFilmActions(ActionRegistry& registry);
+/// The Gauss sphere, plots, figures of charts, and what deserves attention.
+void addInsightActions(ActionRegistry& registry);
 /// Pictures and files made from the results.
 void addExportActions(ActionRegistry& registry);
 

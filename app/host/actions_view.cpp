@@ -129,7 +129,6 @@ void addCamera(ActionRegistry& registry) {
                     state.view.frameWhenLoaded = true;
                 }});
   registry.bind("A", "frame-all");
-  registry.bind("F", "frame-all");
   registry.add({.id = "view",
                 .title = "Standard view",
                 .help = "Looks along an axis of the model.",
@@ -202,7 +201,7 @@ void addPanels(ActionRegistry& registry) {
         registry, id, title, help,
         key, [member](auto& state) -> auto& { return state.panels.*member; });
   };
-  panel("right-pane", "Texture, charts, balance", "Shows or hides the right pane.", "U",
+  panel("right-pane", "Texture, charts, plots", "Shows or hides the right pane.", "U",
         &PanelState::right);
   panel("left-pane", "Parameters", "Shows or hides the left pane.", "", &PanelState::left);
   panel("keys", "Keys", "Lists all keys.", "H", &PanelState::keys);
@@ -246,14 +245,17 @@ void addPanels(ActionRegistry& registry) {
       {.id = "right-tab",
        .title = "Tab of the right pane",
        .help = "Brings a tab of the right pane to the front.",
-       .arguments = {{"tab", ArgumentType::Choice, "which one", true, {"uv", "charts", "balance"}}},
+       .arguments =
+           {{"tab", ArgumentType::Choice, "which one", true, {"uv", "charts", "sphere", "plots"}}},
        .refusal = {},
        .run = [](AppState& state, const Arguments& a) {
+         using Tab = PanelState::RightTab;
          const std::string tab = a.text("tab");
          state.panels.right = true;
-         state.panels.rightTab = tab == "balance"  ? PanelState::RightTab::Balance
-                                 : tab == "charts" ? PanelState::RightTab::Charts
-                                                   : PanelState::RightTab::Uv;
+         state.panels.rightTab = tab == "charts"   ? Tab::Charts
+                                 : tab == "sphere" ? Tab::Sphere
+                                 : tab == "plots"  ? Tab::Plots
+                                                   : Tab::Uv;
          state.panels.selectRightTab = true;
        }});
   registry.add(

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "app/host/action_registry.h"
 #include "app/host/command.h"
 #include "core/base/error.h"
@@ -16,7 +18,9 @@ constexpr double kLongestPlayedSeconds = 0.1;
 
 }  // namespace
 
-AppState::AppState(Session::Worker worker) : session_(worker), results_(session_.results()) {
+AppState::AppState(Session::Worker worker)
+    : session_(worker), insight_(std::make_unique<Insight>(worker == Session::Worker::Inline)),
+      results_(session_.results()) {
   session_.setAutoUnwrap(true);
 }
 
@@ -27,7 +31,7 @@ void AppState::update(double seconds) {
   notices.update(seconds);
   if (results_->meshVersion != meshVersion_) {
     meshVersion_ = results_->meshVersion;
-    hoveredFace = selectedChart = kNone;
+    hoveredFace = pointedChart = selectedChart = panels.shownFace = kNone;
     view.uvCamera = {};
     view.isolate = false;
     view.frameWhenLoaded = true;
@@ -83,6 +87,60 @@ void AppState::undo() {
 
 void AppState::redo() {
   if (undo_.canRedo()) session_.setDocument(undo_.redo(session_.document()));
+}
+
+Index AppState::chartOfFace(Index face) const {
+  const Segmentation* labels = results_->segmentation.get();
+  if (labels == nullptr || face >= labels->label.size()) return kNone;
+  return labels->label[face];
+}
+
+Index AppState::hoveredChart() const {
+  return hoveredFace != kNone ? chartOfFace(hoveredFace) : pointedChart;
+}
+
+void AppState::showChart(Index chart) {
+  const Segmentation* labels = results_->segmentation.get();
+  std::vector<Index> triangles;
+  if (hasMesh() && labels != nullptr && labels->label.size() == results_->mesh->faceCount()) {
+    const Mesh& mesh = *results_->mesh;
+    for (Index t = 0; t < mesh.triangleCount(); ++t) {
+      if (labels->label[mesh.faceOf(t)] == chart) triangles.push_back(t);
+    }
+  }
+  if (chart == kNone || triangles.empty()) throw Error("There is no such chart.");
+  selectedChart = chart;
+  frameTriangles(triangles);
+}
+
+void AppState::showFace(Index face) {
+  const Mesh& mesh = *results_->mesh;
+  std::vector<Index> triangles;
+  for (Index t = mesh.triangleBegin(face); t < mesh.triangleBegin(face + 1); ++t) {
+    triangles.push_back(t);
+    // A face without area is seen by its neighbours.
+    for (Index side = 3 * t; side < 3 * t + 3; ++side) {
+      if (mesh.opposite()[side] != kNone) triangles.push_back(mesh.opposite()[side] / 3);
+    }
+  }
+  selectedChart = chartOfFace(face);
+  frameTriangles(triangles);
+}
+
+void AppState::frameTriangles(const std::vector<Index>& triangles) {
+  const Mesh& mesh = *results_->mesh;
+  glm::dvec3 normal(0);
+  view.pointsToFrame.clear();
+  for (const Index t : triangles) {
+    const auto& [a, b, c] = mesh.triangles()[t];
+    const auto p = mesh.positions();
+    normal += glm::cross(p[b] - p[a], p[c] - p[a]);
+    for (const Index v : {a, b, c}) view.pointsToFrame.push_back(p[v]);
+  }
+  // A chart that closes upon itself has no side to be seen from.
+  if (glm::length(normal) < 1e-12) return;
+  view.camera.lookAlong(-glm::normalize(normal),
+                        view.camera.up == UpAxis::Z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
 }
 
 void AppState::request(const std::optional<StepRequest>& step) {

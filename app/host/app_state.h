@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/host/handle_film.h"
+#include "app/host/insight.h"
 #include "app/host/notices.h"
 #include "app/host/playback.h"
 #include "app/host/preferences.h"
@@ -25,7 +26,7 @@ class ActionRegistry;
 
 /// Which parts of the window are open. Transient: neither saved nor undone.
 struct PanelState {
-  enum class RightTab { Uv, Charts, Balance };
+  enum class RightTab { Uv, Charts, Sphere, Plots };
   bool left = true, right = true, bottom = true;
   bool rightWanted = true;  ///< the window is wide enough for the right pane at first
   RightTab rightTab = RightTab::Uv;
@@ -33,6 +34,9 @@ struct PanelState {
   bool selectRightTab = false;  ///< the tab was chosen by an action and must be brought to front
   enum class Browse { Nothing, Open, SaveMesh, SaveUv, SaveSeams, SaveLabels, SaveReport };
   Browse browse = Browse::Nothing;  ///< what the file browser is open for
+  bool problems = false;            ///< their list is unfolded
+  Index shownFace = kNone;   ///< of the problem that was shown last, where it is a single face
+  bool barsByValue = false;  ///< bars of charts stand by size, not by number
   bool keys = false, log = false, about = false;
   bool firstCard = false;
 };
@@ -87,6 +91,19 @@ class AppState {
   void redo();
   const UndoHistory<Document>& undoHistory() const { return undo_; }
 
+  /// What is shown beside the results; worked out on demand, never part of the state.
+  Insight& insight() const { return *insight_; }
+  /// The chart that is pointed at, on the model, in the texture, in a plot or in the table; kNone
+  /// for none.
+  Index hoveredChart() const;
+  /// Chart of a face by the present labels, kNone without one.
+  Index chartOfFace(Index face) const;
+  /// Selects a chart and brings it into view, seen against its mean normal.
+  /// \throws Error without such a chart
+  void showChart(Index chart);
+  /// Brings one face into view in the same way, and selects its chart.
+  void showFace(Index face);
+
   /// Asks the session for a step.
   void request(const std::optional<StepRequest>& step);
   /// Opens a file or sample; plays one flood when it is there.
@@ -102,7 +119,8 @@ class AppState {
   WindowRequests requests;
   /// Seeds for the next model that is opened, as faces of its file.
   std::vector<Index> firstSeeds;
-  Index hoveredFace = kNone;
+  Index hoveredFace = kNone;   ///< under the mouse on the model or in the texture
+  Index pointedChart = kNone;  ///< under the mouse in a plot or list; hoveredChart() says both
   Index selectedChart = kNone;
   /// Longest flood that is repeated while a slider is dragged, milliseconds.
   static constexpr double kLiveMilliseconds = 150;
@@ -112,7 +130,10 @@ class AppState {
   void placeSeeds();
   void takeNotices();
 
+  void frameTriangles(const std::vector<Index>& triangles);
+
   Session session_;
+  std::unique_ptr<Insight> insight_;
   std::shared_ptr<const Results> results_;
   WorkStatus status_;
   UndoHistory<Document> undo_;

@@ -2,6 +2,7 @@
 /// How the model and its texture are looked at: plain values, saved with a session, never undone.
 
 #include <span>
+#include <vector>
 
 #include "render/camera.h"
 #include "render/render_settings.h"
@@ -14,8 +15,11 @@ struct ViewSettings {
   Camera camera;
   UvStyle uv;
   UvCamera uvCamera;
-  bool isolate = false;         ///< only the selected chart is shown
-  bool frameWhenLoaded = true;  ///< the camera has yet to be set up for a new model
+  bool isolate = false;                   ///< only the selected chart is shown
+  bool frameWhenLoaded = true;            ///< the camera has yet to be set up for a new model
+  std::vector<glm::dvec3> pointsToFrame;  ///< the camera has yet to come close to these
+  bool sphereLinked = true;               ///< the Gauss sphere turns with the model
+  Camera sphereCamera;                    ///< how it is seen otherwise; only the orientation counts
 };
 
 /// The colour modes whose values are computed, in the order of the menu.

@@ -139,10 +139,10 @@ TEST(Panels, ChartTableSelectsAChart) {
   EXPECT_EQ(ui.state().selectedChart, 4u);
 }
 
-TEST(Panels, BalanceTab) {
+TEST(Panels, PlotsTab) {
   HeadlessFrame ui;
   ui.openFlooded("sphere", 500);
-  ui.click("tab/Balance");
+  ui.click("tab/Plots");
   ui.frames(2);
   EXPECT_TRUE(ui.has("plot/spread"));
 }

@@ -37,7 +37,7 @@ shows() { await grep -q "\"$1\"" "$folder/probe.json"; }
 shows scrubber || fail "no window after 20 seconds"
 click "tab\/Charts" || fail "no tab"
 shows chart/19 || fail "the first flood was not played"
-click "tab\/Balance" || fail "no tab"
+click "tab\/Plots" || fail "no tab"
 shows plot/spread || fail "the tab did not open"
 xdotool key h
 shows Keys || fail "the key H did nothing"

@@ -90,6 +90,7 @@ void tableRow(const Ui& ui, const Figures& all, std::size_t chart) {
     ui.run("select-chart " + std::to_string(chart));
   }
   ui.probe.item("chart/" + std::to_string(chart));
+  linkChartRow(ui, static_cast<Index>(chart));
   ImGui::TableNextColumn();
   rightText("%.0f", static_cast<double>(figures.faces));
   ImGui::TableNextColumn();
@@ -142,6 +143,7 @@ void chartTable(const Ui& ui) {
     ImGui::PopStyleColor();
     return;
   }
+  problemList(ui);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(ui.px(4), ui.px(2)));
   const ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg |
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;

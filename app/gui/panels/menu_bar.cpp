@@ -67,6 +67,8 @@ void editMenu(const Ui& ui) {
   actionMenuItem(ui, "reset-all");
   ImGui::Separator();
   actionMenuItem(ui, "copy-command");
+  actionMenuItem(ui, "copy-figures");
+  actionMenuItem(ui, "copy-charts");
   ImGui::EndMenu();
 }
 
@@ -95,8 +97,10 @@ void viewMenu(const Ui& ui) {
   }
   checkerMenu(ui);
   ImGui::Separator();
-  for (const char* line : {"previous-chart", "next-chart", "isolate"}) actionMenuItem(ui, line);
+  for (const char* line : {"previous-chart", "next-chart", "isolate", "problems"})
+    actionMenuItem(ui, line);
   ImGui::Separator();
+  actionMenuItem(ui, "frame-selection");
   actionMenuItem(ui, "frame-all");
   actionMenuItem(ui, "frame-uv");
   if (ImGui::BeginMenu("Standard views")) {
@@ -131,6 +135,8 @@ void viewMenu(const Ui& ui) {
   actionMenuItem(ui, "uv-frame");
   ImGui::Separator();
   actionMenuItem(ui, "right-pane");
+  actionMenuItem(ui, "next-tab");
+  actionMenuItem(ui, "sphere-linked");
   actionMenuItem(ui, "hide-panels");
   actionMenuItem(ui, "full-screen");
   ImGui::EndMenu();

@@ -19,8 +19,15 @@ void timeline(const Ui& ui);
 void statusBar(const Ui& ui);
 /// Figures of each chart, sortable.
 void chartTable(const Ui& ui);
-/// Balance over the rounds, and Gauss area of each chart.
-void balancePlot(const Ui& ui);
+/// What deserves attention, unfolded by an action, and the button that copies the table.
+void problemList(const Ui& ui);
+/// Links the row of the chart table that was just submitted: hover and the menu of the right mouse
+/// button. Call between its widget and the next cell.
+void linkChartRow(const Ui& ui, Index chart);
+/// Normals of the chart pointed at or selected, on the unit sphere, with its figures.
+void spherePanel(const Ui& ui);
+/// Gauss area and stretch of each chart, values of the colour mode, spread over the rounds.
+void plotsPanel(const Ui& ui);
 /// All messages so far, in a window of its own.
 void logWindow(const Ui& ui);
 /// Keys and what they do, made from the registry, in a window of its own.

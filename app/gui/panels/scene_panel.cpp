@@ -28,6 +28,11 @@ void moved(SceneMouse& mouse) {
 }
 
 void frameModel(AppState& state, const ViewRectangle& view, SceneMouse& mouse) {
+  if (!state.view.pointsToFrame.empty()) {
+    state.view.camera.frame(state.view.pointsToFrame, view.aspect(), 0.2);
+    state.view.pointsToFrame.clear();
+    moved(mouse);
+  }
   const bool resized = mouse.framed && mouse.framedAspect != view.aspect();
   if (!state.hasMesh() || !(state.view.frameWhenLoaded || resized)) return;
   state.view.camera.frame(state.results().mesh->positions(), view.aspect());

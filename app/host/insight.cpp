@@ -1,0 +1,115 @@
+#include "app/host/insight.h"
+
+#include <mutex>
+
+#include "core/gauss/sector_normals.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr std::size_t kMostDots = 2500;
+
+bool labelled(const Results& results) {
+  return results.mesh && results.segmentation &&
+         results.segmentation->label.size() == results.mesh->faceCount();
+}
+
+}  // namespace
+
+/// Outlives the Insight where a thread still holds it.
+struct Insight::Waker {
+  std::mutex mutex;
+  std::function<void()> wake;
+};
+
+Insight::Insight(bool immediate) : waker_(std::make_shared<Waker>()) {
+  place_.immediate = immediate;
+  place_.wake = [waker = waker_] {
+    const std::scoped_lock lock(waker->mutex);
+    if (waker->wake) waker->wake();
+  };
+}
+
+void Insight::setWake(std::function<void()> wake) {
+  const std::scoped_lock lock(waker_->mutex);
+  waker_->wake = std::move(wake);
+}
+
+std::shared_ptr<const SurfaceDerived> Insight::surface(const Results& results) {
+  if (!results.mesh || !results.gaussArea) return nullptr;
+  if (results.gaussArea->triangle.size() != results.mesh->triangleCount()) return nullptr;
+  auto value =
+      surface_.get(results.gaussArea, place_, [mesh = results.mesh, gaussArea = results.gaussArea] {
+        return SurfaceDerived{mesh, gaussArea, computeCornerNormals(*mesh, gaussArea->sharpAngle),
+                              gaussValues(*mesh, *gaussArea)};
+      });
+  return value && value->mesh == results.mesh ? value : nullptr;
+}
+
+std::shared_ptr<const std::vector<Problem>> Insight::problems(const Results& results) {
+  if (!labelled(results) || !results.chartStats) return nullptr;
+  return problems_.get(
+      {results.segmentation, results.chartStats, results.gaussArea, results.atlas, results.flat},
+      place_, [results] { return findProblems(results); });
+}
+
+std::shared_ptr<const std::vector<ModeHistogram>>
+Insight::histograms(const Results& results, const RenderSettings& settings, bool busy) {
+  HistogramSource source{surface(results),
+                         results.mesh,
+                         results.chartStats,
+                         results.segmentation,
+                         results.unwrap,
+                         results.record,
+                         0};
+  HistogramKey key{source.surface, nullptr, 0, settings.colorMode, settings.scale, settings.range};
+  switch (settings.colorMode) {
+  case ColorMode::Balance:
+    key.values = results.segmentation;
+    key.weights = results.chartStats;
+    break;
+  case ColorMode::FloodTime:
+  case ColorMode::FloodOrder:
+    key.values = results.record;
+    key.weights = results.mesh;
+    if (results.record && (!busy || counted_ != results.record)) {
+      counted_ = results.record;
+      recorded_ = counted_->size();
+    }
+    key.recorded = source.recorded = results.record ? recorded_ : 0;
+    break;
+  case ColorMode::Stretch:
+  case ColorMode::AreaDistortion:
+  case ColorMode::AngleDistortion:
+    key.values = results.unwrap;
+    key.weights = results.mesh;
+    break;
+  default:
+    break;
+  }
+  return histograms_.get(key, place_, [source = std::move(source), settings] {
+    return modeHistograms(source, settings);
+  });
+}
+
+std::shared_ptr<const SpherePatch> Insight::patch(const Results& results, Index chart) {
+  const auto derived = surface(results);
+  if (!derived || !labelled(results) || chart >= results.segmentation->chartCount) return nullptr;
+  const auto labels = results.segmentation;
+  const auto value = patch_.get({derived, labels, chart}, place_, [derived, labels, chart] {
+    return OwnedPatch{derived, labels,
+                      std::make_shared<const SpherePatch>(spherePatch(*derived, *labels, chart))};
+  });
+  const bool present = value && value->surface == derived && value->segmentation == labels &&
+                       value->patch->chart == chart;
+  return present ? value->patch : nullptr;
+}
+
+std::shared_ptr<const std::vector<SphereDot>> Insight::dots(const Results& results) {
+  const auto derived = surface(results);
+  if (!derived) return nullptr;
+  return dots_.get(derived, place_, [derived] { return sphereDots(*derived, kMostDots); });
+}
+
+}  // namespace chartflood

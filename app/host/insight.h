@@ -1,0 +1,80 @@
+#pragma once
+/// What the views and plots show beside the results themselves, worked out when it is first asked
+/// for and again only when the results change. Shared by all that draw.
+
+#include <functional>
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "app/host/histogram.h"
+#include "app/host/lazy_value.h"
+#include "app/host/problems.h"
+#include "app/host/sphere_patch.h"
+#include "app/host/surface_derived.h"
+#include "core/session/session.h"
+
+namespace chartflood {
+
+/// Each call gives what is ready now: null at first, and the older value while a new one is worked
+/// out on a thread of its own. Call from one thread.
+class Insight {
+ public:
+  /// `immediate`: everything is worked out within the call (scripts and tests).
+  explicit Insight(bool immediate);
+  /// Called from another thread when something new can be shown.
+  /// When this returns the one before is not running and never will again.
+  void setWake(std::function<void()> wake);
+
+  /// Null until it belongs to the mesh of the results.
+  std::shared_ptr<const SurfaceDerived> surface(const Results& results);
+  std::shared_ptr<const std::vector<Problem>> problems(const Results& results);
+  /// Histograms of the present colour mode. A record is not followed while it grows (`busy`).
+  std::shared_ptr<const std::vector<ModeHistogram>>
+  histograms(const Results& results, const RenderSettings& settings, bool busy);
+  /// Normals of a chart; null until it belongs to that chart of the present labels.
+  std::shared_ptr<const SpherePatch> patch(const Results& results, Index chart);
+  std::shared_ptr<const std::vector<SphereDot>> dots(const Results& results);
+
+ private:
+  using Problems = std::vector<Problem>;
+  using Histograms = std::vector<ModeHistogram>;
+  using Dots = std::vector<SphereDot>;
+  /// A patch with what it was made from.
+  struct OwnedPatch {
+    std::shared_ptr<const SurfaceDerived> surface;
+    std::shared_ptr<const Segmentation> segmentation;
+    std::shared_ptr<const SpherePatch> patch;
+  };
+  /// What a histogram depends on, and how it is cut.
+  struct HistogramKey {
+    std::shared_ptr<const void> values, weights;
+    std::size_t recorded = 0;
+    ColorMode mode{};
+    std::optional<ScalarScale> scale;
+    std::optional<std::pair<double, double>> range;
+
+    bool operator==(const HistogramKey&) const = default;
+  };
+
+  struct Waker;
+
+  std::shared_ptr<Waker> waker_;
+  WorkPlace place_;
+  LazyValue<std::shared_ptr<const GaussArea>, SurfaceDerived> surface_;
+  LazyValue<std::tuple<std::shared_ptr<const Segmentation>, std::shared_ptr<const ChartStats>,
+                       std::shared_ptr<const GaussArea>, std::shared_ptr<const Atlas>, bool>,
+            Problems>
+      problems_;
+  LazyValue<HistogramKey, Histograms> histograms_;
+  std::shared_ptr<const FloodRecord> counted_;  ///< the record of the last histogram
+  std::size_t recorded_ = 0;                    ///< how much of it
+  LazyValue<
+      std::tuple<std::shared_ptr<const SurfaceDerived>, std::shared_ptr<const Segmentation>, Index>,
+      OwnedPatch>
+      patch_;
+  LazyValue<std::shared_ptr<const SurfaceDerived>, Dots> dots_;
+};
+
+}  // namespace chartflood
