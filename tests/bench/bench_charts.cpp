@@ -1,6 +1,7 @@
 // Time of taking charts out and cutting them into disks, on growing and on real meshes:
 //   build/release/tests/bench_charts
-// One chart over the whole mesh is the hard case; "bands" are 20 charts side by side.
+// One chart over the whole mesh is the hard case; "bands" are 20 slices, and most of them fall into
+// pieces, which are left uncut: there it measures what is done around the cutting.
 
 #include <algorithm>
 #include <cstdlib>
