@@ -364,7 +364,8 @@ TEST_F(Program, RunsTheCommandsOfTheReadme) {
     ++commands;
   }
   EXPECT_GE(commands, 4u);
-  EXPECT_EQ(listing(), (std::vector<std::string>{"flood.png", "rocket.png", "rocket.txt"}));
+  EXPECT_EQ(listing(), (std::vector<std::string>{"flood.png", "rocket-uv.png", "rocket.obj",
+                                                 "rocket.png", "rocket.txt"}));
 }
 
 }  // namespace

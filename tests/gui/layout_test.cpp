@@ -40,7 +40,7 @@ TEST_P(Layout, ToolsDoNotOverlap) {
 
 TEST_P(Layout, ParameterRowsAreWholeInWidth) {
   for (const ParameterInfo& info : parameterTable()) {
-    if (!ui.has(info.id)) continue;  // in a folded section
+    if (!ui.has(std::string("label/") + info.id)) continue;  // in a folded section
     const ProbedItem control = ui.item(info.id);
     const ProbedItem label = ui.item(std::string("label/") + info.id);
     EXPECT_GE(label.min.x, label.clipMin.x) << info.id;
