@@ -6,9 +6,11 @@
 
 #include <sys/resource.h>
 
+#include "app/cli/camera_options.h"
 #include "app/cli/info.h"
 #include "app/cli/picture.h"
 #include "app/cli/run_session.h"
+#include "app/host/session_view.h"
 #include "core/base/error.h"
 #include "core/io/file_output.h"
 #include "core/io/write_labels.h"
@@ -26,7 +28,8 @@ std::size_t peakMemoryBytes() {
 }
 
 std::string report(const Session& session) {
-  Report report = makeReport(*session.results(), session.document().seeds, CHARTFLOOD_VERSION);
+  Report report =
+      makeReport(*session.results(), seedFaces(session.document().seeds), CHARTFLOOD_VERSION);
   report.peakMemoryBytes = peakMemoryBytes();
   return reportText(report);
 }
@@ -37,10 +40,27 @@ std::string pictureBytes(const Results& results, const Invocation& call) {
   return {bytes.begin(), bytes.end()};
 }
 
+std::string savedSession(const Session& session, const Invocation& call) {
+  const std::shared_ptr<const Results> results = session.results();
+  const SessionModel model{call.file, results->checksum, call.file.empty() ? call.sample : "",
+                           call.triangles};
+  SessionFile saved = sessionOf(model, session.document(), *results);
+  const PictureOptions& picture = call.picture;
+  ViewSettings view;
+  view.render = picture.settings;
+  view.camera = cameraFromOptions(*results->mesh, picture.camera,
+                                  static_cast<double>(picture.width) / picture.height);
+  // Without a camera of its own the model is framed where it is opened.
+  view.frameWhenLoaded = !picture.camera.given && !picture.camera.saved;
+  saved.view = viewValues(view);
+  if (call.session) saved.unknown = call.session->unknown;
+  return sessionText(saved, call.saveSession);
+}
+
 /// Finds out before a long computation whether its results can be written.
 void checkTargets(const Invocation& call) {
   for (const std::filesystem::path& file :
-       {call.output, call.exportLabels, std::filesystem::path(call.report)}) {
+       {call.output, call.exportLabels, call.saveSession, std::filesystem::path(call.report)}) {
     if (!file.empty() && file != "-") StagedFile(file, "");
   }
 }
@@ -53,6 +73,9 @@ void writeOutputs(const Session& session, const Invocation& call) {
   throwIfInterrupted();
   if (!call.exportLabels.empty()) {
     files.emplace_back(call.exportLabels, labelsText(*results->mesh, results->segmentation->label));
+  }
+  if (!call.saveSession.empty()) {
+    files.emplace_back(call.saveSession, savedSession(session, call));
   }
   if (!call.report.empty() && call.report != "-") files.emplace_back(call.report, report(session));
   throwIfInterrupted();

@@ -54,6 +54,8 @@ void addFiles(std::vector<OptionInfo>& table) {
   table.push_back({"output", "F.png", group, "A picture, see below."});
   table.push_back({"export-labels", "F.txt", group,
                    "One chart number per face of the file, in its order; -1: no chart."});
+  table.push_back({"save-session", "F.chartflood", group,
+                   "The work as it is, to go on with: give the file instead of a mesh."});
   table.push_back(
       {"report", "F.json", group, "All figures as JSON; - writes them to standard output."});
 }
@@ -114,7 +116,7 @@ void addGeneral(std::vector<OptionInfo>& table) {
 void addUnbuilt(std::vector<OptionInfo>& table) {
   for (const char* name :
        {"best-of", "balance-weight", "crease-weight", "tip", "relief-stretch", "unwrap", "layout",
-        "texture-size", "margin", "export-mesh", "export-uv", "save-session", "compare"}) {
+        "texture-size", "margin", "export-mesh", "export-uv", "compare"}) {
     table.push_back({name, "VALUE", "", "", false});
   }
   for (const char* name : {"cut-handles", "cut-loops", "cut-tips"}) {

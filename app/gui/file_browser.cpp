@@ -11,6 +11,7 @@
 #include "app/gui/widgets.h"
 #include "app/host/command.h"
 #include "app/host/standard_paths.h"
+#include "core/session/session_io.h"
 
 namespace chartflood {
 
@@ -52,6 +53,7 @@ void FileBrowser::begin(const Ui& ui) {
   focusName_ = true;
   name_.clear();
   const std::string model = ui.state.modelName();
+  if (purpose_ == PanelState::Browse::SaveSession) name_ = model + kSessionEnding;
   if (purpose_ == PanelState::Browse::SaveLabels) name_ = model + "_labels.txt";
   if (purpose_ == PanelState::Browse::SaveReport) name_ = model + "_report.json";
   std::filesystem::path start = folder_;
@@ -88,7 +90,7 @@ void FileBrowser::list() {
     std::error_code unknown;
     entry.folder = it->is_directory(unknown);
     if (!entry.folder) entry.bytes = it->is_regular_file(unknown) ? it->file_size(unknown) : 0;
-    const bool wanted = entry.folder || saving() || isMesh(entry.name);
+    const bool wanted = entry.folder || saving() || isMesh(entry.name) || isSessionFile(entry.name);
     if (wanted) entries_.push_back(std::move(entry));
   }
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
@@ -105,6 +107,8 @@ void FileBrowser::choose(const Ui& ui, const std::filesystem::path& file) {
   ui.state.panels.browse = PanelState::Browse::Nothing;
   const std::string name = quotedArgument(file.string());
   switch (purpose_) {
+  case PanelState::Browse::SaveSession:
+    return ui.run("save-session file=" + name);
   case PanelState::Browse::SaveLabels:
     return ui.run("export-labels file=" + name);
   case PanelState::Browse::SaveReport:
@@ -263,7 +267,7 @@ void FileBrowser::draw(const Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   bool open = true;
-  const char* title = saving() ? "Save as###browser" : "Open a model###browser";
+  const char* title = saving() ? "Save as###browser" : "Open a model or session###browser";
   ImGui::Begin(title, &open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
   drawFolder(ui);
   const float bottom = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();

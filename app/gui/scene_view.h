@@ -36,6 +36,9 @@ class SceneSource {
 /// The settings of the picture that shows the state now: playhead, selection, hover.
 RenderSettings sceneSettings(const AppState& state, float pixelScale);
 
+/// The seeds as they are to be marked: locked, under the mouse, on their way.
+std::vector<SeedMark> seedMarks(const AppState& state);
+
 class SceneView : public SceneSource {
  public:
   /// Needs a current GL context, now and in every call. `wake` is called from another thread when
@@ -72,6 +75,7 @@ class SceneView : public SceneSource {
   void takeMesh(const Results& results);
   void takeDerived(const Results& results);
   void takeFlood(const Results& results);
+  void takeSeeds(const AppState& state);
   int samplesFor(bool moving) const;
   void begin(const Shown& wanted);
 
@@ -90,7 +94,7 @@ class SceneView : public SceneSource {
   std::shared_ptr<const FloodRecord> record_;
   std::size_t recorded_ = 0;  ///< entries that the record had at the last look
   bool floodTaken_ = true;    ///< all of them are drawn from
-  std::vector<Index> seeds_;
+  std::vector<SeedMark> seeds_;
   /// What drawing needs beside the results, worked out by a thread of its own.
   struct Derived {
     std::shared_ptr<const Mesh> mesh;

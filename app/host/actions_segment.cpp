@@ -195,6 +195,7 @@ void addResets(ActionRegistry& registry) {
                 .refusal = needsMesh,
                 .run = [](AppState& state, const Arguments&) {
                   state.playback.follow();
+                  state.rememberCharts("Reset flood");
                   state.session().resetFlood();
                 }});
   registry.bind("R", "reset-flood");
@@ -205,6 +206,7 @@ void addResets(ActionRegistry& registry) {
                 .refusal = needsMesh,
                 .run = [](AppState& state, const Arguments&) {
                   state.playback.follow();
+                  state.rememberCharts("Reset seeds");
                   state.session().resetSeeds();
                 }});
   registry.bind("Shift+R", "reset-seeds");
@@ -221,6 +223,7 @@ void addResets(ActionRegistry& registry) {
                                      "; finished rounds are 1 to " + std::to_string(rounds) + '.');
                   }
                   state.playback.follow();
+                  state.rememberCharts("Use round " + std::to_string(round));
                   state.session().adoptIteration(static_cast<std::size_t>(round - 1));
                 }});
   registry.add({.id = "best",
@@ -230,6 +233,7 @@ void addResets(ActionRegistry& registry) {
                 .refusal = needsRounds,
                 .run = [](AppState& state, const Arguments&) {
                   state.playback.follow();
+                  state.rememberCharts("Use the best round");
                   state.session().adoptIteration(state.results().bestIteration);
                 }});
   registry.bind("Shift+L", "best");

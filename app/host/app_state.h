@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,8 +17,10 @@
 #include "app/host/preferences.h"
 #include "app/host/undo_history.h"
 #include "app/host/view_settings.h"
+#include "app/host/work_keeper.h"
 #include "core/base/index.h"
 #include "core/session/session.h"
+#include "core/session/session_io.h"
 
 namespace chartflood {
 
@@ -29,10 +33,25 @@ struct PanelState {
   bool rightWanted = true;  ///< the window is wide enough for the right pane at first
   RightTab rightTab = RightTab::Charts;
   bool selectRightTab = false;  ///< the tab was chosen by an action and must be brought to front
-  enum class Browse { Nothing, Open, SaveLabels, SaveReport };
+  enum class Browse { Nothing, Open, SaveSession, SaveLabels, SaveReport };
   Browse browse = Browse::Nothing;  ///< what the file browser is open for
   bool keys = false, log = false, about = false;
   bool firstCard = false;
+  enum class Tool { Select, Seeds };
+  Tool tool = Tool::Select;      ///< what the mouse does on the model
+  bool unsavedQuestion = false;  ///< the question before unsaved changes are lost is asked
+};
+
+/// What undo brings back: the user's values, and the charts that they had given.
+struct UndoStep {
+  Document document;
+  FloodMoment moment;
+};
+
+/// A seed that follows the mouse.
+struct SeedDrag {
+  std::size_t seed = 0;
+  Index face = kNone;  ///< where it is now
 };
 
 /// A picture to be taken by whoever owns the renderer.
@@ -46,6 +65,7 @@ struct PictureRequest {
 struct WindowRequests {
   bool quit = false;
   bool toggleFullScreen = false;
+  bool seedInView = false;  ///< a seed is to be added where the middle of the view shows
   std::optional<std::string> clipboard;  ///< text to be copied
   std::vector<PictureRequest> pictures;
 };
@@ -74,19 +94,39 @@ class AppState {
   /// True when the view shows the finished labels rather than a part of the record.
   bool showsFinal() const;
 
+  /// The seeds of the charts that are or are about to be shown, with their locks.
+  std::vector<PlacedSeed> presentSeeds() const;
+
   /// Changes parameters or seeds as an undoable step called `name`. With `dragging` further
   /// changes under the same `key` join it, until one without.
   void changeDocument(const Document& document, std::string name, const std::string& key,
                       bool dragging);
+  /// Notes that something other than the document is about to change, so that it can be undone.
+  void rememberCharts(std::string name);
   void undo();
   void redo();
-  const UndoHistory<Document>& undoHistory() const { return undo_; }
+  /// Ends a drag that is to be forgotten: the document is as it was before it.
+  void takeBackDrag();
+  const UndoHistory<UndoStep>& undoHistory() const { return undo_; }
 
   /// Asks the session for a step.
   void request(const std::optional<StepRequest>& step);
   /// Opens a file or sample; plays one flood when it is there.
   void open(const std::filesystem::path& file);
   void openSample(const std::string& name, std::size_t triangles);
+  /// Opens the session's model and goes on with it. `file` is where it is saved from now on.
+  /// `recovered`: it was left behind by another process and is unsaved.
+  void openSession(SessionFile session, const std::filesystem::path& file, bool recovered = false);
+  /// Writes the session. \throws WriteError
+  void saveSession(const std::filesystem::path& file);
+  /// True when changes of the document would be lost by ending now.
+  bool unsaved() const { return hasMesh() && keeper.unsaved(document()); }
+  /// Does at once what would lose unsaved changes when there are none or nobody wants to be asked;
+  /// else asks, and does it after the answer.
+  void whenSafe(std::function<void(AppState&)> step);
+  /// Does what has waited for an answer, or forgets it.
+  void goOn();
+  void giveUp() { waiting_ = {}; }
 
   ViewSettings view;
   Playback playback;
@@ -94,25 +134,45 @@ class AppState {
   PanelState panels;
   Notices notices;
   WindowRequests requests;
+  WorkKeeper keeper;
   /// Seeds for the next model that is opened, as faces of its file.
   std::vector<Index> firstSeeds;
   Index hoveredFace = kNone;
   Index selectedChart = kNone;
+  Index hoveredSeed = kNone;  ///< under the mouse in the seeds tool
+  std::optional<SeedDrag> seedDrag;
   /// Longest flood that is repeated while a slider is dragged, milliseconds.
   static constexpr double kLiveMilliseconds = 150;
 
  private:
+  /// What is being opened.
+  struct Opening {
+    SessionModel model;
+    std::optional<SessionFile> session;
+    std::filesystem::path sessionFile;
+    bool recovered = false;
+  };
+
   bool floodsLive(bool dragging) const;
+  UndoStep present() const;
+  void takeNewMesh();
+  void takeSession(Opening& opening);
+  void keepWork(double seconds);
+  std::string sessionTextFor(const std::filesystem::path& file) const;
   void placeSeeds();
   void takeNotices();
 
   Session session_;
   std::shared_ptr<const Results> results_;
   WorkStatus status_;
-  UndoHistory<Document> undo_;
+  UndoHistory<UndoStep> undo_;
   std::vector<std::string> journal_;
   std::uint64_t meshVersion_ = 0;
-  bool playWhenOpened_ = false;
+  std::optional<Opening> opening_;
+  SessionModel model_;         ///< of the mesh that is shown
+  std::string unknownInFile_;  ///< of the session file, written back
+  std::map<std::string, SessionValue> unknownView_;
+  std::function<void(AppState&)> waiting_;  ///< for the answer about unsaved changes
 };
 
 /// A command line that gives the present parameters and model: what differs from the defaults.

@@ -35,6 +35,9 @@ class Pipeline {
   /// charts, they are flooded once more from the present seeds.
   void apply(const Document& document, bool live, Progress& progress);
 
+  /// Takes new values and floods once from the moment's seeds and offsets, as far as it had come.
+  void restore(const Document& document, const FloodMoment& moment, Progress& progress);
+
   StepOutcome step(StepUnit unit, std::size_t count, Progress& progress);
   void restartFlood();
   /// Forgets the present seeds: the next flood begins from the first ones.
@@ -54,8 +57,11 @@ class Pipeline {
   void makeGraph(Progress& progress);
   /// Forgets of the present seeds what does not hold for the new values.
   void reviseSeeds(const Document& before);
+  void dropNewestSeeds(std::size_t wanted);
   /// Makes a stepper that begins with the present seeds, if there are any.
   void makeStepper(std::size_t maxIterations);
+  /// Begins again where the stepper stands, so that the next rounds know of changed locks.
+  void takeLocks(Progress& progress);
   void noteFlood(const FloodStart& start);
   void tell(Notice::Kind kind, std::string text) const;
   void tellChartCount();
@@ -71,6 +77,7 @@ class Pipeline {
   std::shared_ptr<const ChartStats> stats_;           ///< of segmentation_
   std::vector<Index> seeds_;     ///< of the last flood, to go on from; empty: place anew
   std::vector<double> offsets_;  ///< of the last flood; as many as seeds, or none
+  bool locksChanged_ = false;    ///< since the stepper was made
   Timing timing_;
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;

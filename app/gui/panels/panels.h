@@ -32,4 +32,9 @@ void toasts(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
 /// The first steps, at the bottom of the area, until a key or click.
 void firstStepsCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
 
+/// Offers what a crash has left, without holding anything up.
+void recoveryCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
+/// Asks, while the state wants it, what to do with unsaved changes.
+void unsavedQuestion(const Ui& ui);
+
 }  // namespace chartflood
