@@ -35,7 +35,7 @@ void HeadlessFrame::frames(int count) {
   for (int i = 0; i < count; ++i) {
     state_.update(kFrameSeconds);
     ImGui::NewFrame();
-    frame_.draw(nullptr);
+    frame_.draw(source_);
     ImGui::Render();
   }
 }
@@ -104,6 +104,13 @@ void HeadlessFrame::enter() {
   ImGui::GetIO().KeysDown[ImGuiKey_Enter] = true;
   frames(1);
   ImGui::GetIO().KeysDown[ImGuiKey_Enter] = false;
+  frames(2);
+}
+
+void HeadlessFrame::escape() {
+  ImGui::GetIO().KeysDown[ImGuiKey_Escape] = true;
+  frames(1);
+  ImGui::GetIO().KeysDown[ImGuiKey_Escape] = false;
   frames(2);
 }
 

@@ -27,6 +27,9 @@ class HeadlessFrame {
   ProbedItem item(std::string_view label) const;
   bool has(std::string_view label) const { return frame_.probe().find(label) != nullptr; }
 
+  /// What draws and picks in the 3D view; null at first.
+  void setSource(SceneSource* source) { source_ = source; }
+
   void moveTo(ImVec2 place);
   void press(int button = 0);
   void release(int button = 0);
@@ -36,6 +39,7 @@ class HeadlessFrame {
   void drag(std::string_view label, float from, float to);
   void type(const char* text);
   void enter();
+  void escape();
   void key(const char* chord) { frame_.key(parseChord(chord), false); }
 
   AppState& state() { return state_; }
@@ -53,6 +57,7 @@ class HeadlessFrame {
   AppState state_{Session::Worker::Inline};
   ActionRegistry actions_ = makeActionRegistry();
   Frame frame_;
+  SceneSource* source_ = nullptr;
 };
 
 }  // namespace chartflood
