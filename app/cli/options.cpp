@@ -29,6 +29,7 @@ void refuseUnbuilt(const Tokens& tokens) {
 /// A session as input is what everything else is changed from.
 void readSessionInput(const Tokens& tokens, Invocation& call) {
   if (tokens.files.size() != 1 || !isSessionFile(tokens.files[0])) return;
+  if (tokens.has("help") || tokens.has("version")) return;
   call.sessionFile = tokens.files[0];
   call.session = readSession(call.sessionFile);
   call.parameters = call.session->parameters;

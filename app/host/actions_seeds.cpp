@@ -52,6 +52,7 @@ void addTools(ActionRegistry& registry) {
              state.panels.tool =
                  a.text("name") == "seeds" ? PanelState::Tool::Seeds : PanelState::Tool::Select;
              state.hoveredSeed = kNone;
+             if (state.panels.tool == PanelState::Tool::Seeds) state.view.render.seedMarks = true;
            },
        .checked =
            [](const AppState& state, const Arguments& a) {

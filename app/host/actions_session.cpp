@@ -78,7 +78,7 @@ void addRecovery(ActionRegistry& registry) {
                     const std::filesystem::path copy = s.keeper.recovery.left().front();
                     SessionFile session = readSession(copy);
                     const std::filesystem::path file = session.continues;
-                    s.openSession(std::move(session), file, true);
+                    s.openSession(std::move(session), file, copy);
                   });
                 }});
   registry.add({.id = "forget-session",

@@ -70,9 +70,8 @@ void AppState::takeSession(Opening& opening) {
   SessionContent content = sessionContent(session, *results_->mesh, results_->checksum);
   add(content.warnings);
   for (std::string& warning : warnings) notices.add(Notice::Kind::Warning, std::move(warning));
-  if (opening.recovered) {
-    keeper.beginUnsaved(opening.sessionFile);
-    keeper.recovery.forget();
+  if (!opening.recovered.empty()) {
+    keeper.beginRecovered(opening.recovered, opening.sessionFile);
   } else {
     keeper.begin(content.document, opening.sessionFile);
   }
@@ -194,6 +193,7 @@ bool AppState::floodsLive(bool dragging) const {
 void AppState::undo() {
   if (!undo_.canUndo()) return;
   playback.follow();
+  hoveredSeed = kNone;
   const UndoStep step = undo_.undo(present());
   session_.restore(step.document, step.moment);
 }
@@ -201,6 +201,7 @@ void AppState::undo() {
 void AppState::redo() {
   if (!undo_.canRedo()) return;
   playback.follow();
+  hoveredSeed = kNone;
   const UndoStep step = undo_.redo(present());
   session_.restore(step.document, step.moment);
 }
@@ -221,10 +222,11 @@ void AppState::open(const std::filesystem::path& file) {
   session_.open(file);
 }
 
-void AppState::openSession(SessionFile session, const std::filesystem::path& file, bool recovered) {
+void AppState::openSession(SessionFile session, const std::filesystem::path& file,
+                           const std::filesystem::path& recovered) {
   const SessionModel model = session.model;
   opening_ = Opening{model, std::move(session), file, recovered};
-  if (!recovered) rememberFile(preferences, file);
+  if (recovered.empty()) rememberFile(preferences, file);
   if (model.file.empty()) {
     session_.openSample(model.sample, model.triangles);
   } else {

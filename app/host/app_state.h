@@ -115,8 +115,9 @@ class AppState {
   void open(const std::filesystem::path& file);
   void openSample(const std::string& name, std::size_t triangles);
   /// Opens the session's model and goes on with it. `file` is where it is saved from now on.
-  /// `recovered`: it was left behind by another process and is unsaved.
-  void openSession(SessionFile session, const std::filesystem::path& file, bool recovered = false);
+  /// `recovered` is the copy it was read from when another process left it behind; it is unsaved.
+  void openSession(SessionFile session, const std::filesystem::path& file,
+                   const std::filesystem::path& recovered = {});
   /// Writes the session. \throws WriteError
   void saveSession(const std::filesystem::path& file);
   /// True when changes of the document would be lost by ending now.
@@ -150,7 +151,7 @@ class AppState {
     SessionModel model;
     std::optional<SessionFile> session;
     std::filesystem::path sessionFile;
-    bool recovered = false;
+    std::filesystem::path recovered;
   };
 
   bool floodsLive(bool dragging) const;

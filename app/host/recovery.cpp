@@ -125,6 +125,14 @@ void Recovery::drop() {
   std::filesystem::remove(file_, ignored);
 }
 
+void Recovery::adopt(const std::filesystem::path& copy) {
+  finishWriting();
+  std::error_code ignored;  // without it the next write makes a copy
+  std::filesystem::rename(copy, file_, ignored);
+  removeCopy(copy);
+  std::erase(left_, copy);
+}
+
 void Recovery::forget() {
   if (left_.empty()) return;
   removeCopy(left_.front());

@@ -36,6 +36,8 @@ class Recovery {
   const std::vector<std::filesystem::path>& left() const { return left_; }
   /// Removes the first of them.
   void forget();
+  /// Makes one of them the own copy, so that there is one at any moment.
+  void adopt(const std::filesystem::path& copy);
 
  private:
   void finishWriting();

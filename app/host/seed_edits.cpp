@@ -99,6 +99,7 @@ void deleteSeed(AppState& state, std::size_t seed) {
   if (seeds.size() == 1) throw Refusal("The last seed stays: there is always one chart.");
   requireOther(requireMesh(state), seeds, seed);
   seeds.erase(seeds.begin() + static_cast<std::ptrdiff_t>(seed));
+  state.hoveredSeed = kNone;  // the later ones have new numbers
   change(state, std::move(seeds), "Delete " + seedName(seed), "delete-seed");
 }
 

@@ -10,9 +10,11 @@ void WorkKeeper::begin(const Document& document, std::filesystem::path file) {
   file_ = std::move(file);
 }
 
-void WorkKeeper::beginUnsaved(std::filesystem::path file) {
+void WorkKeeper::beginRecovered(const std::filesystem::path& copy, std::filesystem::path file) {
   saved_.reset();
   file_ = std::move(file);
+  recovery.adopt(copy);
+  copied_.emplace();  // there is one, though an old one
 }
 
 void WorkKeeper::update(const Document& document, std::uint64_t version, bool resting,

@@ -20,8 +20,8 @@ class WorkKeeper {
 
   /// A model or session was opened, or the session was saved: nothing is unsaved.
   void begin(const Document& document, std::filesystem::path file);
-  /// The work of another process was taken up: all of it is unsaved.
-  void beginUnsaved(std::filesystem::path file);
+  /// The work that another process left in `copy` was taken up: all of it is unsaved.
+  void beginRecovered(const std::filesystem::path& copy, std::filesystem::path file);
   /// The session file that Save writes; "": none yet.
   const std::filesystem::path& file() const { return file_; }
 

@@ -252,6 +252,9 @@ TEST_F(Work, WhatIsLeftIsOfferedAndRestored) {
   EXPECT_TRUE(state().keeper.file().empty());
   EXPECT_FALSE(ui_.has("recovery-card"));
   EXPECT_FALSE(std::filesystem::exists(copy));
+  EXPECT_TRUE(std::filesystem::exists(state().keeper.recovery.file())) << "a copy at any moment";
+  run("save-session file=" + path("r.chartflood"));
+  EXPECT_FALSE(std::filesystem::exists(state().keeper.recovery.file()));
 }
 
 TEST_F(Work, WhatIsLeftCanBeForgotten) {

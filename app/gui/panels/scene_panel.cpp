@@ -116,6 +116,7 @@ void useMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
     moved(mouse);
   }
   if (mouse.button < 0) hover(ui, source, view, mouse);
+  if (ui.state.hoveredSeed != kNone) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
 /// The model's axes at the bottom left, so that turning is never lost.
