@@ -15,7 +15,8 @@ namespace chartflood {
 namespace {
 
 constexpr double kSettleSeconds = 0.2;  // after the last movement the picture is drawn smoothly
-constexpr double kQuickPick = 0.02;     // slower picks wait for a resting mouse
+constexpr ImU32 kVeil = IM_COL32(24, 24, 24, 170);  // keeps text legible over the model
+constexpr double kQuickPick = 0.02;                 // slower picks wait for a resting mouse
 
 bool usesSeeds(const Ui& ui) { return ui.state.panels.tool == PanelState::Tool::Seeds; }
 
@@ -173,8 +174,12 @@ void drawHint(const Ui& ui, const ViewRectangle& view) {
   for (const char* text : hintLines(ui)) {
     const float width = ImGui::CalcTextSize(text).x;
     if (width + ui.px(24) < view.width()) {
-      ImGui::GetWindowDrawList()->AddText({std::round((view.min.x + view.max.x - width) / 2), y},
-                                          ui.theme.palette.dim, text);
+      const ImVec2 at{std::round((view.min.x + view.max.x - width) / 2), y};
+      const float pad = ui.px(6), height = ImGui::GetTextLineHeight();
+      ImDrawList& list = *ImGui::GetWindowDrawList();
+      list.AddRectFilled({at.x - pad, at.y - 1}, {at.x + width + pad, at.y + height + 1}, kVeil,
+                         ui.px(3));
+      list.AddText(at, ui.theme.palette.text, text);
     }
     y -= ImGui::GetTextLineHeight() + ui.px(2);
   }
