@@ -87,6 +87,8 @@ TEST_P(Restore, TheRoundsGoOnFromThere) {
 }
 
 TEST_P(Restore, OfWhatComesAfterTheLabelsFloodsNothing) {
+  session_.openSample("torus", 1000);
+  session_.waitIdle();
   session_.setAutoUnwrap(true);
   step(StepUnit::Converged);
   const auto before = session_.results();
@@ -106,6 +108,8 @@ TEST_P(Restore, OfWhatComesAfterTheLabelsFloodsNothing) {
 }
 
 TEST_P(Restore, ChartsAreLaidFlatAgain) {
+  session_.openSample("torus", 1000);
+  session_.waitIdle();
   session_.setAutoUnwrap(true);
   step(StepUnit::Converged);
   const auto before = session_.results();
