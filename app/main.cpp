@@ -13,6 +13,8 @@ int openWindow(const chartflood::Invocation& call) {
   chartflood::WindowOptions options;
   options.parameters = call.parameters;
   options.seeds = call.seeds;
+  options.session = call.session;
+  options.sessionFile = call.sessionFile;
   options.file = call.file;
   options.sample = call.sample;
   options.triangles = call.triangles;

@@ -37,7 +37,10 @@ namespace chartflood {
 struct SeedMark {
   Index face = kNone;
   Index chart = kNone;    ///< whose colour it gets
-  bool emphasis = false;  ///< locked or under the pointer
+  bool emphasis = false;  ///< under the pointer
+  bool locked = false;    ///< larger, with a padlock
+
+  bool operator==(const SeedMark&) const = default;
 };
 
 /// Lines along edges of the mesh, drawn whatever else is shown.

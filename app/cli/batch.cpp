@@ -6,11 +6,13 @@
 
 #include <sys/resource.h>
 
+#include "app/cli/camera_options.h"
 #include "app/cli/info.h"
 #include "app/cli/picture.h"
 #include "app/cli/run_session.h"
 #include "app/cli/values.h"
 #include "app/host/export_files.h"
+#include "app/host/session_view.h"
 #include "core/base/error.h"
 #include "core/io/file_output.h"
 #include "core/io/write_labels.h"
@@ -28,7 +30,8 @@ std::size_t peakMemoryBytes() {
 }
 
 std::string report(const Session& session) {
-  Report report = makeReport(*session.results(), session.document().seeds, CHARTFLOOD_VERSION);
+  Report report =
+      makeReport(*session.results(), seedFaces(session.document().seeds), CHARTFLOOD_VERSION);
   report.peakMemoryBytes = peakMemoryBytes();
   return reportText(report);
 }
@@ -46,6 +49,24 @@ std::string uvBytes(const Results& results, const Invocation& call) {
   const Image image = drawTexture(results, call.picture, call.renderingBackend);
   const auto bytes = encodePng(image, pictureTexts(results));
   return {bytes.begin(), bytes.end()};
+}
+
+std::string savedSession(const Session& session, const Invocation& call) {
+  const std::shared_ptr<const Results> results = session.results();
+  const SessionModel model{call.file, results->checksum, call.file.empty() ? call.sample : "",
+                           call.triangles};
+  SessionFile saved = sessionOf(model, session.document(), *results);
+  const PictureOptions& picture = call.picture;
+  ViewSettings view;
+  if (call.session) applyViewValues(call.session->view, view);  // what no option turns
+  view.render = picture.settings;
+  view.camera = cameraFromOptions(*results->mesh, picture.camera,
+                                  static_cast<double>(picture.width) / picture.height);
+  // Without a camera of its own the model is framed where it is opened.
+  view.frameWhenLoaded = !picture.camera.given && !picture.camera.saved;
+  saved.view = viewValues(view);
+  if (call.session) saved.unknown = call.session->unknown;
+  return sessionText(saved, call.saveSession);
 }
 
 /// Finds out before a long computation whether its results can be written.
@@ -67,7 +88,9 @@ void writeOutputs(const Session& session, const Invocation& call) {
   }
   if (!call.exportUv.empty()) files.emplace_back(call.exportUv, uvBytes(*results, call));
   if (!call.exportSeams.empty()) files.emplace_back(call.exportSeams, exportedSeams(*results));
-  throwIfInterrupted();
+  if (!call.saveSession.empty()) {
+    files.emplace_back(call.saveSession, savedSession(session, call));
+  }
   if (!call.report.empty() && call.report != "-") files.emplace_back(call.report, report(session));
   throwIfInterrupted();
   for (StagedFile& file : files) file.commit();

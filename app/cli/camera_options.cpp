@@ -43,6 +43,7 @@ void placeEye(Camera& camera, const Mesh& mesh, const CameraOptions& options) {
 }  // namespace
 
 Camera cameraFromOptions(const Mesh& mesh, const CameraOptions& options, double aspect) {
+  if (options.saved && !options.given) return *options.saved;
   Camera camera;
   camera.up = options.upIsZ ? UpAxis::Z : UpAxis::Y;
   camera.orthographic = options.orthographic;

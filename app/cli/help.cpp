@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kWidth = 100;
 constexpr std::size_t kIndent = 30;  // of the explanations
 
-constexpr const char* kUsage = R"(Usage: chartflood [options] [mesh]
+constexpr const char* kUsage = R"(Usage: chartflood [options] [mesh or session]
 
 Cuts a surface mesh into charts that flatten well, by flooding it along its Gaussian curvature
 (Yamauchi, Gumhold, Zayer, Seidel: Mesh segmentation driven by Gaussian curvature, 2005).

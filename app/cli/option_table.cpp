@@ -60,6 +60,8 @@ void addFiles(std::vector<OptionInfo>& table) {
   table.push_back({"export-uv", "F.(png|svg)", group, "The charts in the texture, as a picture."});
   table.push_back({"export-seams", "F.obj", group,
                    "Borders between charts and cuts, as lines on the file's vertices."});
+  table.push_back({"save-session", "F.chartflood", group,
+                   "The work as it is, to go on with: give the file instead of a mesh."});
   table.push_back(
       {"report", "F.json", group, "All figures as JSON; - writes them to standard output."});
 }
@@ -118,8 +120,7 @@ void addGeneral(std::vector<OptionInfo>& table) {
 }
 
 void addUnbuilt(std::vector<OptionInfo>& table) {
-  for (const char* name :
-       {"best-of", "balance-weight", "crease-weight", "save-session", "compare"}) {
+  for (const char* name : {"best-of", "balance-weight", "crease-weight", "compare"}) {
     table.push_back({name, "VALUE", "", "", false});
   }
 }

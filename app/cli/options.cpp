@@ -6,6 +6,7 @@
 #include "app/cli/option_table.h"
 #include "app/cli/tokens.h"
 #include "app/cli/values.h"
+#include "app/host/session_view.h"
 #include "core/base/error.h"
 #include "render/color_map.h"
 
@@ -23,6 +24,23 @@ void refuseUnbuilt(const Tokens& tokens) {
       throw UsageError("--" + row.name + " is not built yet: leave it out.");
     }
   }
+}
+
+/// A session as input is what everything else is changed from.
+void readSessionInput(const Tokens& tokens, Invocation& call) {
+  if (tokens.files.size() != 1 || !isSessionFile(tokens.files[0])) return;
+  if (tokens.has("help") || tokens.has("version")) return;
+  call.sessionFile = tokens.files[0];
+  call.session = readSession(call.sessionFile);
+  call.parameters = call.session->parameters;
+  ViewSettings view;
+  view.render = call.picture.settings;
+  call.sessionWarnings = applyViewValues(call.session->view, view);
+  call.picture.settings = view.render;
+  CameraOptions& camera = call.picture.camera;
+  if (!view.frameWhenLoaded) camera.saved = view.camera;
+  camera.orthographic = view.camera.orthographic;
+  camera.upIsZ = view.camera.up == UpAxis::Z;
 }
 
 void readParameters(const Tokens& tokens, Invocation& call) {
@@ -74,6 +92,7 @@ void readFiles(const Tokens& tokens, Invocation& call) {
   call.exportMesh = readFileName(tokens, "export-mesh", {".obj", ".ply", ".glb"});
   call.exportUv = readFileName(tokens, "export-uv", {".png", ".svg"});
   call.exportSeams = readFileName(tokens, "export-seams", {".obj"});
+  call.saveSession = readFileName(tokens, "save-session", {kSessionEnding});
   call.report = tokens.text("report");
   if (call.report != "-") readFileName(tokens, "report", {".json"});
 }
@@ -178,6 +197,9 @@ void readCamera(const Tokens& tokens, CameraOptions& camera) {
     const std::vector<std::string> axes{"+Y", "+Z"};
     camera.upIsZ = readChoice("up", tokens.text("up"), axes) == "+Z";
   }
+  for (const OptionInfo& row : optionTable()) {
+    camera.given = camera.given || (row.group == "Camera" && tokens.has(row.name));
+  }
   if (camera.direction && camera.position && camera.focalPoint) {
     throw UsageError("--camera-direction, --camera-position and --camera-focal-point together say "
                      "too much: leave one out.");
@@ -219,13 +241,14 @@ void readInput(const Tokens& tokens, Invocation& call) {
       throw UsageError("--sample and " + tokens.files[0] + " exclude each other: leave one out.");
     }
     call.file = tokens.files[0];
-    if (call.file.extension() == ".chartflood") {
-      throw UsageError("Session files such as " + tokens.files[0] +
-                       " cannot be opened yet: give a mesh.");
-    }
   }
   if (!call.file.empty() && tokens.has("triangles")) {
     throw UsageError("--triangles is for samples only: leave it out, or give --sample=NAME.");
+  }
+  if (call.session) {
+    call.file = call.session->model.file;
+    if (call.file.empty()) call.sample = call.session->model.sample;
+    call.triangles = call.session->model.triangles;
   }
 }
 
@@ -249,8 +272,8 @@ Invocation::Task readTask(const Tokens& tokens, const Invocation& call) {
 }  // namespace
 
 std::vector<std::filesystem::path> outputFiles(const Invocation& call) {
-  std::vector<std::filesystem::path> files{call.output, call.exportLabels, call.exportMesh,
-                                           call.exportUv, call.exportSeams};
+  std::vector<std::filesystem::path> files{call.output,   call.exportLabels, call.exportMesh,
+                                           call.exportUv, call.exportSeams,  call.saveSession};
   if (call.report != "-") files.emplace_back(call.report);
   std::erase_if(files, [](const std::filesystem::path& file) { return file.empty(); });
   return files;
@@ -260,6 +283,7 @@ Invocation readOptions(std::span<const std::string> words) {
   const Tokens tokens = readTokens(words, optionTable());
   refuseUnbuilt(tokens);
   Invocation call;
+  readSessionInput(tokens, call);
   readParameters(tokens, call);
   readSteps(tokens, call);
   readFiles(tokens, call);

@@ -13,6 +13,8 @@
 #include "core/base/index.h"
 #include "core/base/log.h"
 #include "core/session/parameters.h"
+#include "core/session/session_io.h"
+#include "render/camera.h"
 #include "render/render_settings.h"
 
 namespace chartflood {
@@ -26,6 +28,8 @@ struct CameraOptions {
   double azimuthAngle = 0, elevationAngle = 0;     ///< degrees
   bool orthographic = false;
   bool upIsZ = false;
+  bool given = false;           ///< any of the above was written
+  std::optional<Camera> saved;  ///< of the session; counts where nothing was written
 };
 
 /// What the picture shows, and how large.
@@ -48,6 +52,10 @@ struct Invocation {
   std::string sample = kFirstSample;
   std::size_t triangles = 0;  ///< of the sample; 0: its own number
 
+  std::optional<SessionFile> session;        ///< the input is a session with this content
+  std::filesystem::path sessionFile;         ///< where it was read from
+  std::vector<std::string> sessionWarnings;  ///< about its view
+
   Parameters parameters;
   bool chartsGiven = false;          ///< --charts was written
   std::vector<Index> seeds;          ///< faces of the input file; empty: placed by the method
@@ -59,6 +67,7 @@ struct Invocation {
   std::filesystem::path exportMesh;    ///< .obj, .ply or .glb; "": none
   std::filesystem::path exportUv;      ///< .png or .svg; "": none
   std::filesystem::path exportSeams;   ///< .obj; "": none
+  std::filesystem::path saveSession;   ///< "": none
   std::string report;                  ///< file name, "-" for standard output, "": none
   PictureOptions picture;
 

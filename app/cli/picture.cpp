@@ -17,10 +17,14 @@ namespace {
 /// Lines and letters are made for a picture of this height and grow with it.
 constexpr float kUsualSide = 960;
 
-std::vector<SeedMark> seedMarks(const Segmentation& segmentation) {
+std::vector<SeedMark> seedMarks(const Results& results) {
   std::vector<SeedMark> marks;
+  const Segmentation& segmentation = *results.segmentation;
+  const std::vector<Index> locked = lockedFaces(results.placed);
   for (std::size_t c = 0; c < segmentation.seeds.size(); ++c) {
-    marks.push_back({segmentation.seeds[c], static_cast<Index>(c), false});
+    const Index face = segmentation.seeds[c];
+    const bool isLocked = std::find(locked.begin(), locked.end(), face) != locked.end();
+    marks.push_back({face, static_cast<Index>(c), false, isLocked});
   }
   return marks;
 }
@@ -44,7 +48,7 @@ void fill(Renderer& renderer, const Results& results) {
   renderer.setSegmentation(results.segmentation.get());
   renderer.setFlood(results.record);
   renderer.updateFlood();
-  renderer.setSeeds(seedMarks(*results.segmentation));
+  renderer.setSeeds(seedMarks(results));
   if (results.flat) fillFlat(renderer, results);
 }
 

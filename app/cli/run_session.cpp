@@ -79,29 +79,57 @@ void checkSample(const std::string& name) {
 std::vector<Index> meshFaces(const Mesh& mesh, const std::vector<Index>& inputFaces) {
   std::vector<Index> faces;
   for (const Index wanted : inputFaces) {
-    // Faces keep their order, so the numbers in the file ascend.
-    Index low = 0, high = static_cast<Index>(mesh.faceCount());
-    while (low < high) {
-      const Index middle = low + (high - low) / 2;
-      if (mesh.inputFace(middle) < wanted)
-        low = middle + 1;
-      else
-        high = middle;
-    }
-    if (low == mesh.faceCount() || mesh.inputFace(low) != wanted) {
+    const Index face = meshFace(mesh, wanted);
+    if (face == kNone) {
       throw UsageError("--seeds names face " + std::to_string(wanted) +
                        ", which the mesh does not have: give faces from 0 to " +
                        std::to_string(mesh.input().faceCount() - 1) + " that were not dropped.");
     }
-    faces.push_back(low);
+    faces.push_back(face);
   }
   return faces;
+}
+
+/// Whether the charts of the session are wanted as they were: nothing was asked for that would make
+/// others.
+bool keepsCharts(const Invocation& call) {
+  Stage stage;
+  const bool changed = firstDifference(call.parameters, call.session->parameters, stage);
+  return !(changed && stage <= Stage::Refine) && call.seeds.empty() && !call.steps &&
+         !call.iterations;
+}
+
+/// Seeds and charts of the session that is the input. True when its charts are there again.
+bool takeSession(Session& session, const Invocation& call) {
+  if (!call.session) return false;
+  const auto results = session.results();
+  SessionContent content = sessionContent(*call.session, *results->mesh, results->checksum);
+  const auto warn = [](const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) logMessage(LogLevel::Warning, sentence);
+  };
+  warn(call.session->warnings);
+  warn(call.sessionWarnings);
+  warn(content.warnings);
+  if (!call.seeds.empty()) return false;
+  Document document{call.parameters, content.document.seeds};
+  document = withFittingSeeds(content.document, document);
+  const bool again = keepsCharts(call) && !content.moment.seeds.empty();
+  if (again) {
+    session.restore(document, content.moment);
+  } else {
+    session.setDocument(document, false);
+  }
+  wait(session, call);
+  return again;
 }
 
 void placeSeeds(Session& session, const Invocation& call) {
   if (call.seeds.empty()) return;
   Document document = session.document();
-  document.seeds = meshFaces(*session.results()->mesh, call.seeds);
+  document.seeds.clear();
+  for (const Index face : meshFaces(*session.results()->mesh, call.seeds)) {
+    document.seeds.push_back({face});
+  }
   const int count = static_cast<int>(document.seeds.size());
   if (!call.chartsGiven) document.parameters.charts = count;
   if (document.parameters.charts < count) {
@@ -149,6 +177,7 @@ void openInput(Session& session, const Invocation& call) {
 }
 
 void segment(Session& session, const Invocation& call) {
+  if (takeSession(session, call)) return;
   placeSeeds(session, call);
   if (call.steps) {
     session.step(StepUnit::Face, std::min(*call.steps, session.results()->mesh->faceCount()));

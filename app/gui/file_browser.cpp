@@ -11,6 +11,7 @@
 #include "app/gui/widgets.h"
 #include "app/host/command.h"
 #include "app/host/standard_paths.h"
+#include "core/session/session_io.h"
 
 namespace chartflood {
 
@@ -28,6 +29,8 @@ struct Purpose {
 Purpose purposeOf(PanelState::Browse browse) {
   using Browse = PanelState::Browse;
   switch (browse) {
+  case Browse::SaveSession:
+    return {"save-session", kSessionEnding};
   case Browse::SaveMesh:
     return {"export-mesh", "_uv.obj"};
   case Browse::SaveUv:
@@ -112,7 +115,7 @@ void FileBrowser::list() {
     std::error_code unknown;
     entry.folder = it->is_directory(unknown);
     if (!entry.folder) entry.bytes = it->is_regular_file(unknown) ? it->file_size(unknown) : 0;
-    const bool wanted = entry.folder || saving() || isMesh(entry.name);
+    const bool wanted = entry.folder || saving() || isMesh(entry.name) || isSessionFile(entry.name);
     if (wanted) entries_.push_back(std::move(entry));
   }
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
@@ -278,7 +281,7 @@ void FileBrowser::draw(const Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   bool open = true;
-  const char* title = saving() ? "Save as###browser" : "Open a model###browser";
+  const char* title = saving() ? "Save as###browser" : "Open a model or session###browser";
   ImGui::Begin(title, &open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
   drawFolder(ui);
   const float bottom = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();

@@ -6,6 +6,7 @@
 #include <imgui_internal.h>
 
 #include "app/gui/panels/panels.h"
+#include "app/gui/panels/seeds_tool.h"
 #include "app/gui/widgets.h"
 
 namespace chartflood {
@@ -159,7 +160,9 @@ void Frame::drawScene(const Ui& ui, const Layout& layout, SceneSource* source) {
   endFixed();
   toasts(ui, low, high);
   firstStepsCard(ui, low, high);
+  if (state_.hasMesh()) toolSwitch(ui, low);
   handleFilmBar(ui, low, high);
+  recoveryCard(ui, low, high);
 }
 
 void Frame::drawSplitters(const Ui& ui, const Layout& layout) {
@@ -202,6 +205,8 @@ void Frame::draw(SceneSource* source, UvSource* uvSource) {
   logWindow(ui);
   aboutWindow(ui);
   browser_.draw(ui);
+  unsavedQuestion(ui);
+  ui.wakeIn(state_.keeper.dueIn());
   if (!memory_.hoveredSeen) memory_.hovered.clear();
   if (state_.pointedChart != memory_.pointed) {
     state_.pointedChart = memory_.pointed;
@@ -220,6 +225,7 @@ bool Frame::key(const Chord& chord, bool repeated) {
   const bool navigates = chord.key == "Space" || chord.key == "Enter" || chord.key == "Left" ||
                          chord.key == "Right" || chord.key == "Esc";
   if (widgetHasKeys && navigates && !chord.ctrl) return false;
+  if (state_.seedDrag && chord.key == "Esc") return state_.perform(actions_, "put-back");
   const bool textWindow = state_.panels.keys || state_.panels.log || state_.panels.about;
   if (textWindow && chord.key == "Esc") return false;
   if (repeated && !repeats(chord)) return false;

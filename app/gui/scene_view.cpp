@@ -54,6 +54,19 @@ RenderSettings sceneSettings(const AppState& state, float pixelScale) {
   return settings;
 }
 
+std::vector<SeedMark> seedMarks(const AppState& state) {
+  std::vector<SeedMark> marks;
+  for (const PlacedSeed& seed : state.presentSeeds()) {
+    const auto number = static_cast<Index>(marks.size());
+    marks.push_back({seed.face, number, number == state.hoveredSeed, seed.locked});
+  }
+  if (const auto& drag = state.seedDrag; drag && drag->seed < marks.size()) {
+    marks[drag->seed].face = drag->face;
+    marks[drag->seed].emphasis = true;
+  }
+  return marks;
+}
+
 SceneView::SceneView(std::function<void()> wake) : wake_(std::move(wake)) {}
 
 void SceneView::takeMesh(const Results& results) {
@@ -114,15 +127,14 @@ void SceneView::takeFlood(const Results& results, std::shared_ptr<const FloodRec
     if (!floodTaken_) wake_();
     ++content_;
   }
-  if (results.seeds != seeds_) {
-    seeds_ = results.seeds;
-    std::vector<SeedMark> marks;
-    for (std::size_t i = 0; i < seeds_.size(); ++i) {
-      marks.push_back({seeds_[i], static_cast<Index>(i), false});
-    }
-    renderer_.setSeeds(marks);
-    ++content_;
-  }
+}
+
+void SceneView::takeSeeds(const AppState& state) {
+  std::vector<SeedMark> marks = seedMarks(state);
+  if (marks == seeds_) return;
+  seeds_ = std::move(marks);
+  renderer_.setSeeds(seeds_);
+  ++content_;
 }
 
 void SceneView::takeUnwrap(const Results& results) {
@@ -179,6 +191,7 @@ void SceneView::takeIn(const AppState& state) {
     ++content_;
   }
   takeFlood(results, state.film.ready() ? state.film.flood() : results.record);
+  takeSeeds(state);
   takeFilm(state);
   takeUnwrap(results);
   takeDistortion(results);

@@ -36,6 +36,9 @@ class SceneSource {
 /// The settings of the picture that shows the state now: playhead, selection, hover.
 RenderSettings sceneSettings(const AppState& state, float pixelScale);
 
+/// The seeds as they are to be marked: locked, under the mouse, on their way.
+std::vector<SeedMark> seedMarks(const AppState& state);
+
 class SceneView : public SceneSource {
  public:
   /// Needs a current GL context, now and in every call. `wake` is called from another thread when
@@ -75,6 +78,7 @@ class SceneView : public SceneSource {
   void takeMesh(const Results& results);
   void takeDerived(const AppState& state);
   void takeFlood(const Results& results, std::shared_ptr<const FloodRecord> record);
+  void takeSeeds(const AppState& state);
   void takeFilm(const AppState& state);
   void takeUnwrap(const Results& results);
   void takeDistortion(const Results& results);
@@ -96,7 +100,7 @@ class SceneView : public SceneSource {
   std::shared_ptr<const FloodRecord> record_;
   std::size_t recorded_ = 0;  ///< entries that the record had at the last look
   bool floodTaken_ = true;    ///< all of them are drawn from
-  std::vector<Index> seeds_;
+  std::vector<SeedMark> seeds_;
   bool filmShown_ = false;                         ///< lines of a film are drawn
   std::size_t filmStep_ = 0;                       ///< of these lines
   std::shared_ptr<const SurfaceDerived> derived_;  ///< uploaded

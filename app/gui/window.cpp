@@ -139,8 +139,13 @@ class Window::Parts {
 
   void run() {
     double last = now();
-    while (glfwWindowShouldClose(window_.get()) == GLFW_FALSE && !state_.requests.quit) {
+    while (!state_.requests.quit) {
       wait();
+      if (glfwWindowShouldClose(window_.get()) == GLFW_TRUE) {  // may be answered by a question
+        glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
+        state_.perform(actions_, "quit");
+        touched();
+      }
       const double start = now();
       if (due()) {
         pass(start - last);
@@ -255,7 +260,8 @@ class Window::Parts {
     if (state_.requests.toggleFullScreen) toggleFullScreen();
     state_.requests.toggleFullScreen = false;
     const std::string model = state_.modelName();
-    const std::string title = model.empty() ? "chartflood" : model + " - chartflood";
+    const std::string title =
+        model.empty() ? "chartflood" : model + (state_.unsaved() ? " *" : "") + " - chartflood";
     if (title != title_) glfwSetWindowTitle(window_.get(), title.c_str());
     title_ = title;
   }

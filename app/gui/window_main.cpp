@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "app/host/action_registry.h"
+#include "app/host/session_view.h"
 #include "app/host/standard_paths.h"
 #include "core/base/error.h"
 #include "core/base/log.h"
@@ -33,11 +34,34 @@ void savePreferences(AppState& state) {
   }
 }
 
+/// Goes on with a session; options that were given beside it win.
+void beginSession(AppState& state, const WindowOptions& options) {
+  SessionFile session = *options.session;
+  Stage stage;
+  const bool changed = firstDifference(session.parameters, options.parameters, stage);
+  if ((changed && stage <= Stage::Refine) || !options.seeds.empty()) session.charts = {};
+  if (!options.seeds.empty()) {
+    session.seeds.clear();
+    for (const Index face : options.seeds) session.seeds.push_back({face});
+  }
+  const Document saved{session.parameters, session.seeds};
+  session.seeds = withFittingSeeds(saved, {options.parameters, session.seeds}).seeds;
+  session.parameters = options.parameters;
+  ViewSettings view;
+  applyViewValues(session.view, view);
+  view.render = options.render;
+  view.camera.up = options.up;
+  view.camera.orthographic = options.orthographic;
+  for (auto& [name, value] : viewValues(view)) session.view[name] = value;
+  state.openSession(std::move(session), options.sessionFile);
+}
+
 void begin(AppState& state, const WindowOptions& options) {
   state.view.render = options.render;
   state.view.camera.up = options.up;
   state.view.camera.look(StandardView::Oblique);
   state.view.camera.orthographic = options.orthographic;
+  if (options.session) return beginSession(state, options);
   state.firstSeeds = options.seeds;
   Document document;
   document.parameters = options.parameters;
@@ -55,6 +79,7 @@ int runWindow(const WindowOptions& options) {
   const ActionRegistry actions = makeActionRegistry();
   AppState state(Session::Worker::Background);
   loadPreferences(state);
+  state.keeper.recovery.begin(stateFolder());
   {
     Window window(
         state, actions,

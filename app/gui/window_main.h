@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/gui/window.h"
 #include "core/session/session.h"
+#include "core/session/session_io.h"
 #include "render/render_settings.h"
 
 namespace chartflood {
@@ -17,7 +19,9 @@ struct WindowOptions {
   std::vector<Index> seeds;    ///< faces of the input file; empty: placed by the method
   std::filesystem::path file;  ///< "": the sample
   std::string sample = "rocket";
-  std::size_t triangles = 0;  ///< of the sample; 0: its own number
+  std::size_t triangles = 0;           ///< of the sample; 0: its own number
+  std::optional<SessionFile> session;  ///< to go on with; `parameters` and `render` win over it
+  std::filesystem::path sessionFile;   ///< where it was read from
   RenderSettings render;
   UpAxis up = UpAxis::Y;
   bool orthographic = false;

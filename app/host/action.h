@@ -7,10 +7,17 @@
 #include <vector>
 
 #include "app/host/command.h"
+#include "core/base/error.h"
 
 namespace chartflood {
 
 class AppState;
+
+/// What cannot be done now, though it was asked for in the right way: told in passing.
+class Refusal : public Error {
+ public:
+  using Error::Error;
+};
 
 enum class ArgumentType { Text, Integer, Number, Switch, Choice };
 

@@ -69,7 +69,7 @@ void ActionRegistry::run(std::string_view line, AppState& state) const {
   const Action& action = at(command.action);
   const Arguments arguments(action.id, action.arguments, command.arguments);
   if (action.refusal) {
-    if (const std::string reason = action.refusal(state); !reason.empty()) throw Error(reason);
+    if (const std::string reason = action.refusal(state); !reason.empty()) throw Refusal(reason);
   }
   action.run(state, arguments);
 }
@@ -77,8 +77,10 @@ void ActionRegistry::run(std::string_view line, AppState& state) const {
 ActionRegistry makeActionRegistry() {
   ActionRegistry registry;
   addFileActions(registry);
+  addSessionActions(registry);
   addEditActions(registry);
   addSegmentActions(registry);
+  addSeedActions(registry);
   addViewActions(registry);
   addChartActions(registry);
   addFilmActions(registry);

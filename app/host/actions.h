@@ -7,6 +7,10 @@ class ActionRegistry;
 
 /// Open, samples, recent files, quit.
 void addFileActions(ActionRegistry& registry);
+/// Saving and recovering the work, and the question before it would be lost.
+void addSessionActions(ActionRegistry& registry);
+/// The hand on the seeds.
+void addSeedActions(ActionRegistry& registry);
 /// Parameters, presets, undo and redo.
 void addEditActions(ActionRegistry& registry);
 /// Flooding and its playback.

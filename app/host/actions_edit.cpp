@@ -5,6 +5,7 @@
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
+#include "app/host/seed_edits.h"
 #include "app/host/slider_scale.h"
 #include "core/base/error.h"
 
@@ -27,19 +28,26 @@ const ParameterInfo& parameterRow(const std::string& id) {
                    (nearest.empty() ? "." : "; did you mean '" + nearest + "'?"));
 }
 
-/// "Charts: 24", as undo names the change.
-std::string changeName(const ParameterInfo& info, const Parameters& values) {
+std::string valueText(const ParameterInfo& info, const Parameters& values) {
   const ParameterValue value = parameterValue(values, info);
   const bool number = std::holds_alternative<int>(value) || std::holds_alternative<double>(value);
-  return std::string(info.label) + ": " +
-         (number ? sliderText(info, asNumber(value)) : parameterText(value));
+  return number ? sliderText(info, asNumber(value)) : parameterText(value);
+}
+
+/// "K 20 to 24", as undo names the change; a drag tells its two ends.
+std::string changeName(const AppState& state, const ParameterInfo& info, const Parameters& after) {
+  const UndoStep* begun = state.undoHistory().joined(info.id);
+  const Parameters& before =
+      begun != nullptr ? begun->document.parameters : state.document().parameters;
+  const std::string name = std::string_view(info.id) == "charts" ? info.symbol : info.label;
+  return name + ' ' + valueText(info, before) + " to " + valueText(info, after);
 }
 
 void setOption(AppState& state, const std::string& id, const std::string& text, bool dragging) {
   const ParameterInfo& info = parameterRow(id);
   Document document = state.document();
   setParameterFromText(document.parameters, info, text);
-  state.changeDocument(document, changeName(info, document.parameters), id, dragging);
+  state.changeDocument(document, changeName(state, info, document.parameters), id, dragging);
 }
 
 void changeAll(AppState& state, const Parameters& parameters, std::string name) {
@@ -51,11 +59,6 @@ void changeAll(AppState& state, const Parameters& parameters, std::string name) 
 void addCharts(AppState& state, int difference) {
   const int charts = std::max(1, state.document().parameters.charts + difference);
   setOption(state, "charts", std::to_string(charts), false);
-}
-
-/// The next number of a fixed sequence, so that a roll can be repeated.
-int rolled(int seed) {
-  return static_cast<int>((static_cast<std::uint64_t>(seed) * 48271u + 12345u) % 100000u);
 }
 
 void addParameterActions(ActionRegistry& registry) {
@@ -122,10 +125,7 @@ void addParameterActions(ActionRegistry& registry) {
                 .help = "Starts from seeds placed with another random number.",
                 .arguments = {},
                 .refusal = {},
-                .run = [](AppState& state, const Arguments&) {
-                  setOption(state, "rng-seed",
-                            std::to_string(rolled(state.document().parameters.rngSeed)), false);
-                }});
+                .run = [](AppState& state, const Arguments&) { spreadSeeds(state); }});
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ void addParameterActions(ActionRegistry& registry) {
 void addEditActions(ActionRegistry& registry) {
   registry.add({.id = "undo",
                 .title = "Undo",
-                .help = "Takes the last change of parameters back.",
+                .help = "Takes the last change of parameters or seeds back.",
                 .arguments = {},
                 .refusal = [](const AppState& state) -> std::string {
                   return state.undoHistory().canUndo() ? "" : "There is nothing to undo.";

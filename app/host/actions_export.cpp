@@ -139,8 +139,8 @@ void addExportActions(ActionRegistry& registry) {
                 .refusal = needsLabels,
                 .run = [](AppState& state, const Arguments& a) {
                   exportTo(state, a, PanelState::Browse::SaveReport, [&] {
-                    return reportText(
-                        makeReport(state.results(), state.document().seeds, CHARTFLOOD_VERSION));
+                    return reportText(makeReport(state.results(), seedFaces(state.document().seeds),
+                                                 CHARTFLOOD_VERSION));
                   });
                 }});
 }

@@ -34,18 +34,22 @@ std::string reloadRefusal(const AppState& state) {
 void addFileActions(ActionRegistry& registry) {
   registry.add({.id = "open",
                 .title = "Open",
-                .help = "Reads a mesh file and floods it once.",
-                .arguments = {{"file", ArgumentType::Text, "OBJ, PLY, OFF, STL, glTF or GLB"}},
+                .help = "Reads a mesh file and floods it once, or goes on with a saved session.",
+                .arguments = {{"file", ArgumentType::Text,
+                               "OBJ, PLY, OFF, STL, glTF, GLB or a session (.chartflood)"}},
                 .refusal = {},
-                .run = [](AppState& state, const Arguments& a) { state.open(a.text("file")); }});
-  registry.add({.id = "browse",
-                .title = "Open\u2026",
-                .help = "Chooses a mesh file to read. Files can also be dropped onto the window.",
-                .arguments = {},
-                .refusal = {},
-                .run = [](AppState& state, const Arguments&) {
-                  state.panels.browse = PanelState::Browse::Open;
+                .run = [](AppState& state, const Arguments& a) {
+                  state.whenSafe([file = a.text("file")](AppState& s) { s.open(file); });
                 }});
+  registry.add(
+      {.id = "browse",
+       .title = "Open\u2026",
+       .help = "Chooses a mesh or session to read. Files can also be dropped onto the window.",
+       .arguments = {},
+       .refusal = {},
+       .run = [](AppState& state, const Arguments&) {
+         state.panels.browse = PanelState::Browse::Open;
+       }});
   registry.bind("Ctrl+O", "browse");
   registry.add({.id = "sample",
                 .title = "Sample",
@@ -57,7 +61,9 @@ void addFileActions(ActionRegistry& registry) {
                   const long triangles = a.integer("triangles");
                   if (triangles < 0)
                     throw UsageError("A sample cannot have fewer than 0 triangles.");
-                  state.openSample(a.text("name"), static_cast<std::size_t>(triangles));
+                  const auto count = static_cast<std::size_t>(triangles);
+                  state.whenSafe(
+                      [name = a.text("name"), count](AppState& s) { s.openSample(name, count); });
                 }});
   registry.add({.id = "reload",
                 .title = "Reload",
@@ -65,7 +71,8 @@ void addFileActions(ActionRegistry& registry) {
                 .arguments = {},
                 .refusal = reloadRefusal,
                 .run = [](AppState& state, const Arguments&) {
-                  state.open(state.results().mesh->input().file);
+                  const std::string file = state.results().mesh->input().file;
+                  state.whenSafe([file](AppState& s) { s.open(file); });
                 }});
   registry.bind("F5", "reload");
   registry.add({.id = "quit",
@@ -73,7 +80,9 @@ void addFileActions(ActionRegistry& registry) {
                 .help = "Closes the program.",
                 .arguments = {},
                 .refusal = {},
-                .run = [](AppState& state, const Arguments&) { state.requests.quit = true; }});
+                .run = [](AppState& state, const Arguments&) {
+                  state.whenSafe([](AppState& s) { s.requests.quit = true; });
+                }});
   registry.bind("Ctrl+Q", "quit");
 }
 

@@ -210,6 +210,7 @@ void addResets(ActionRegistry& registry) {
                 .refusal = needsMesh,
                 .run = [](AppState& state, const Arguments&) {
                   state.playback.follow();
+                  state.rememberCharts("Reset flood");
                   state.session().resetFlood();
                 }});
   registry.bind("R", "reset-flood");
@@ -220,6 +221,7 @@ void addResets(ActionRegistry& registry) {
                 .refusal = needsMesh,
                 .run = [](AppState& state, const Arguments&) {
                   state.playback.follow();
+                  state.rememberCharts("Reset seeds");
                   state.session().resetSeeds();
                 }});
   registry.bind("Shift+R", "reset-seeds");
@@ -236,6 +238,7 @@ void addResets(ActionRegistry& registry) {
                                      "; finished rounds are 1 to " + std::to_string(rounds) + '.');
                   }
                   state.playback.follow();
+                  state.rememberCharts("Use round " + std::to_string(round));
                   state.session().adoptIteration(static_cast<std::size_t>(round - 1));
                 }});
   registry.add({.id = "best",
@@ -245,6 +248,7 @@ void addResets(ActionRegistry& registry) {
                 .refusal = needsRounds,
                 .run = [](AppState& state, const Arguments&) {
                   state.playback.follow();
+                  state.rememberCharts("Use the best round");
                   state.session().adoptIteration(state.results().bestIteration);
                 }});
   registry.bind("Shift+L", "best");

@@ -216,6 +216,7 @@ void addPanels(ActionRegistry& registry) {
                 .refusal = {},
                 .run = [](AppState& state, const Arguments&) {
                   state.panels.browse = PanelState::Browse::Nothing;
+                  state.giveUp();  // saving it first was the answer to a question
                 }});
   registry.add(
       {.id = "hide-panels",

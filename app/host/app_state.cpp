@@ -7,7 +7,9 @@
 
 #include "app/host/action_registry.h"
 #include "app/host/command.h"
+#include "app/host/session_view.h"
 #include "core/base/error.h"
+#include "core/io/file_output.h"
 
 namespace chartflood {
 
@@ -31,17 +33,100 @@ void AppState::update(double seconds) {
   notices.update(seconds);
   if (results_->meshVersion != meshVersion_) {
     meshVersion_ = results_->meshVersion;
-    hoveredFace = pointedChart = selectedChart = panels.shownFace = kNone;
-    view.uvCamera = {};
-    view.isolate = false;
-    view.frameWhenLoaded = true;
-    placeSeeds();
-    if (std::exchange(playWhenOpened_, false)) playback.playOneFlood();
+    takeNewMesh();
   }
   film.update(results_->segmentation, std::min(seconds, kLongestPlayedSeconds));
   const bool stopped = results_->stopReason != StopReason::NotStopped;
   request(playback.update({hasMesh(), results_->record, changing(), stopped},
                           std::min(seconds, kLongestPlayedSeconds)));
+  keepWork(seconds);
+}
+
+void AppState::takeNewMesh() {
+  hoveredFace = pointedChart = selectedChart = hoveredSeed = panels.shownFace = kNone;
+  seedDrag.reset();
+  undo_.clear();  // its seeds are faces of another mesh
+  view.uvCamera = {};
+  view.isolate = false;
+  view.frameWhenLoaded = true;
+  const std::string& name = results_->mesh->input().file;
+  const bool asked = opening_ && (opening_->model.file == name || opening_->model.sample == name);
+  Opening opening;
+  opening.model.file = name;
+  if (asked) opening = std::move(*std::exchange(opening_, std::nullopt));
+  model_ = opening.model;
+  model_.checksum = results_->checksum;
+  unknownInFile_.clear();
+  unknownView_.clear();
+  if (opening.session) return takeSession(opening);
+  placeSeeds();
+  keeper.begin(session_.document(), {});
+  if (asked) playback.playOneFlood();
+}
+
+void AppState::takeSession(Opening& opening) {
+  SessionFile& session = *opening.session;
+  unknownInFile_ = std::move(session.unknown);
+  std::vector<std::string> warnings = std::move(session.warnings);
+  const auto add = [&](std::vector<std::string> more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  };
+  add(applyViewValues(session.view, view));
+  const SessionView known = viewValues(view);
+  for (auto& [key, value] : session.view) {
+    if (!known.contains(key)) unknownView_[key] = value;
+  }
+  SessionContent content = sessionContent(session, *results_->mesh, results_->checksum);
+  add(content.warnings);
+  for (std::string& warning : warnings) notices.add(Notice::Kind::Warning, std::move(warning));
+  if (!opening.recovered.empty()) {
+    keeper.beginRecovered(opening.recovered, opening.sessionFile);
+  } else {
+    keeper.begin(content.document, opening.sessionFile);
+  }
+  if (content.moment.seeds.empty()) {
+    session_.setDocument(content.document);
+    playback.playOneFlood();
+  } else {
+    playback.follow();
+    session_.restore(content.document, content.moment);
+  }
+}
+
+std::string AppState::sessionTextFor(const std::filesystem::path& file) const {
+  // As new as can be, unless another model has just come that this state knows nothing of yet.
+  const std::shared_ptr<const Results> newest = session_.results();
+  const Results& now = newest->meshVersion == meshVersion_ ? *newest : *results_;
+  SessionFile session = sessionOf(model_, document(), now);
+  // A flood that is under way will have been finished by the time it is looked at again.
+  if (changing()) session.charts.taken = results_->mesh->faceCount();
+  session.view = viewValues(view);
+  session.view.insert(unknownView_.begin(), unknownView_.end());
+  session.unknown = unknownInFile_;
+  if (file == keeper.recovery.file()) session.continues = keeper.file();
+  return sessionText(session, file);
+}
+
+void AppState::keepWork(double seconds) {
+  if (!hasMesh()) return;
+  keeper.update(document(), results_->version, !changing() && !playback.playing(), seconds,
+                [&] { return sessionTextFor(keeper.recovery.file()); });
+}
+
+void AppState::saveSession(const std::filesystem::path& file) {
+  writeFileAtomically(file, sessionTextFor(file));
+  keeper.begin(document(), file);
+  rememberFile(preferences, file);
+}
+
+void AppState::whenSafe(std::function<void(AppState&)> step) {
+  if (!unsaved() || !preferences.askUnsaved) return step(*this);
+  waiting_ = std::move(step);
+  panels.unsavedQuestion = true;
+}
+
+void AppState::goOn() {
+  if (const auto step = std::exchange(waiting_, {})) step(*this);
 }
 
 bool AppState::perform(const ActionRegistry& actions, std::string_view line) {
@@ -49,6 +134,9 @@ bool AppState::perform(const ActionRegistry& actions, std::string_view line) {
     actions.run(line, *this);
     journal_.emplace_back(line);
     return true;
+  } catch (const Refusal& refusal) {
+    notices.add(Notice::Kind::Info, refusal.what());
+    return false;
   } catch (const Error& error) {
     notices.add(Notice::Kind::Error, error.what());
     return false;
@@ -66,12 +154,42 @@ bool AppState::showsFinal() const {
          playback.complete();
 }
 
+std::vector<PlacedSeed> AppState::presentSeeds() const {
+  const std::shared_ptr<const Results> results = session_.results();
+  if (!results->mesh) return {};
+  const Document& document = session_.document();
+  const bool current = !results->stale && results->placed == document.seeds &&
+                       results->parameters == document.parameters;
+  if (!current && !document.seeds.empty()) return document.seeds;
+  const std::vector<Index> locked = lockedFaces(document.seeds);
+  std::vector<PlacedSeed> seeds;
+  for (const Index face : results->seeds) {
+    const bool isLocked = std::find(locked.begin(), locked.end(), face) != locked.end();
+    seeds.push_back({face, isLocked});
+  }
+  return seeds;
+}
+
+UndoStep AppState::present() const {
+  const std::shared_ptr<const Results> results = session_.results();
+  UndoStep step{session_.document(), momentOf(*results)};
+  // A flood under way would have been finished.
+  if (changing() && results->mesh) step.moment.taken = results->mesh->faceCount();
+  return step;
+}
+
 void AppState::changeDocument(const Document& document, std::string name, const std::string& key,
                               bool dragging) {
   const Document before = session_.document();
-  if (document != before) undo_.changed(before, std::move(name), key);
+  const Document after = withFittingSeeds(before, document);
+  if (after != before) undo_.changed(present(), std::move(name), key);
   if (!dragging) undo_.close();
-  session_.setDocument(document, floodsLive(dragging));
+  session_.setDocument(after, floodsLive(dragging));
+}
+
+void AppState::rememberCharts(std::string name) {
+  undo_.changed(present(), std::move(name), "charts of a moment");
+  undo_.close();
 }
 
 bool AppState::floodsLive(bool dragging) const {
@@ -82,11 +200,24 @@ bool AppState::floodsLive(bool dragging) const {
 }
 
 void AppState::undo() {
-  if (undo_.canUndo()) session_.setDocument(undo_.undo(session_.document()));
+  if (!undo_.canUndo()) return;
+  playback.follow();
+  hoveredSeed = kNone;
+  const UndoStep step = undo_.undo(present());
+  session_.restore(step.document, step.moment);
 }
 
 void AppState::redo() {
-  if (undo_.canRedo()) session_.setDocument(undo_.redo(session_.document()));
+  if (!undo_.canRedo()) return;
+  playback.follow();
+  hoveredSeed = kNone;
+  const UndoStep step = undo_.redo(present());
+  session_.restore(step.document, step.moment);
+}
+
+void AppState::takeBackDrag() {
+  const std::optional<UndoStep> step = undo_.takeBack();
+  if (step) session_.restore(step->document, step->moment);
 }
 
 Index AppState::chartOfFace(Index face) const {
@@ -148,13 +279,26 @@ void AppState::request(const std::optional<StepRequest>& step) {
 }
 
 void AppState::open(const std::filesystem::path& file) {
-  playWhenOpened_ = true;
+  if (isSessionFile(file)) return openSession(readSession(file), file);
+  opening_.emplace().model.file = file;
   rememberFile(preferences, file);
   session_.open(file);
 }
 
+void AppState::openSession(SessionFile session, const std::filesystem::path& file,
+                           const std::filesystem::path& recovered) {
+  const SessionModel model = session.model;
+  opening_ = Opening{model, std::move(session), file, recovered};
+  if (recovered.empty()) rememberFile(preferences, file);
+  if (model.file.empty()) {
+    session_.openSample(model.sample, model.triangles);
+  } else {
+    session_.open(model.file);
+  }
+}
+
 void AppState::openSample(const std::string& name, std::size_t triangles) {
-  playWhenOpened_ = true;
+  opening_.emplace().model = {{}, {}, name, triangles};
   session_.openSample(name, triangles);
 }
 
@@ -162,14 +306,9 @@ void AppState::placeSeeds() {
   if (firstSeeds.empty()) return;
   const std::vector<Index> wanted = std::exchange(firstSeeds, {});
   Document document = session_.document();
-  document.seeds.assign(wanted.size(), kNone);
-  const Mesh& mesh = *results_->mesh;
-  for (Index face = 0; face < mesh.faceCount(); ++face) {
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (mesh.inputFace(face) == wanted[i]) document.seeds[i] = face;
-    }
-  }
-  if (std::erase(document.seeds, kNone) > 0) {
+  document.seeds.clear();
+  for (const Index face : wanted) document.seeds.push_back({meshFace(*results_->mesh, face)});
+  if (std::erase(document.seeds, PlacedSeed{}) > 0) {
     notices.add(Notice::Kind::Warning, "Some seeds are no faces of this model and were left out.");
   }
   session_.setDocument(document);
@@ -185,6 +324,14 @@ std::string commandLine(const AppState& state) {
     const ParameterValue value = parameterValue(state.document().parameters, info);
     if (value == parameterDefault(info)) continue;
     text += std::string(" --") + info.id + '=' + parameterText(value);
+  }
+  if (!state.document().seeds.empty()) {
+    std::string faces;
+    for (const PlacedSeed& seed : state.document().seeds) {
+      faces +=
+          (faces.empty() ? "" : ",") + std::to_string(state.results().mesh->inputFace(seed.face));
+    }
+    text += " --seeds=" + faces;
   }
   if (state.hasMesh()) text += ' ' + quotedArgument(state.results().mesh->input().file);
   return text;

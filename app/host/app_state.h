@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,8 +19,10 @@
 #include "app/host/preferences.h"
 #include "app/host/undo_history.h"
 #include "app/host/view_settings.h"
+#include "app/host/work_keeper.h"
 #include "core/base/index.h"
 #include "core/session/session.h"
+#include "core/session/session_io.h"
 
 namespace chartflood {
 
@@ -32,13 +36,37 @@ struct PanelState {
   RightTab rightTab = RightTab::Uv;
   bool uvUnderMouse = false;    ///< actions of the view mean the texture
   bool selectRightTab = false;  ///< the tab was chosen by an action and must be brought to front
-  enum class Browse { Nothing, Open, SaveMesh, SaveUv, SaveSeams, SaveLabels, SaveReport };
+  enum class Browse {
+    Nothing,
+    Open,
+    SaveSession,
+    SaveMesh,
+    SaveUv,
+    SaveSeams,
+    SaveLabels,
+    SaveReport
+  };
   Browse browse = Browse::Nothing;  ///< what the file browser is open for
   bool problems = false;            ///< their list is unfolded
   Index shownFace = kNone;   ///< of the problem that was shown last, where it is a single face
   bool barsByValue = false;  ///< bars of charts stand by size, not by number
   bool keys = false, log = false, about = false;
   bool firstCard = false;
+  enum class Tool { Select, Seeds };
+  Tool tool = Tool::Select;      ///< what the mouse does on the model
+  bool unsavedQuestion = false;  ///< the question before unsaved changes are lost is asked
+};
+
+/// What undo brings back: the user's values, and the charts that they had given.
+struct UndoStep {
+  Document document;
+  FloodMoment moment;
+};
+
+/// A seed that follows the mouse.
+struct SeedDrag {
+  std::size_t seed = 0;
+  Index face = kNone;  ///< where it is now
 };
 
 /// A picture to be taken by whoever owns the renderer.
@@ -53,6 +81,7 @@ struct PictureRequest {
 struct WindowRequests {
   bool quit = false;
   bool toggleFullScreen = false;
+  bool seedInView = false;  ///< a seed is to be added where the middle of the view shows
   std::optional<std::string> clipboard;  ///< text to be copied
   std::vector<PictureRequest> pictures;
 };
@@ -83,13 +112,20 @@ class AppState {
   /// True when the view shows the finished labels rather than a part of the record.
   bool showsFinal() const;
 
+  /// The seeds of the charts that are or are about to be shown, with their locks.
+  std::vector<PlacedSeed> presentSeeds() const;
+
   /// Changes parameters or seeds as an undoable step called `name`. With `dragging` further
   /// changes under the same `key` join it, until one without.
   void changeDocument(const Document& document, std::string name, const std::string& key,
                       bool dragging);
+  /// Notes that something other than the document is about to change, so that it can be undone.
+  void rememberCharts(std::string name);
   void undo();
   void redo();
-  const UndoHistory<Document>& undoHistory() const { return undo_; }
+  /// Ends a drag that is to be forgotten: the document is as it was before it.
+  void takeBackDrag();
+  const UndoHistory<UndoStep>& undoHistory() const { return undo_; }
 
   /// What is shown beside the results; worked out on demand, never part of the state.
   Insight& insight() const { return *insight_; }
@@ -109,6 +145,20 @@ class AppState {
   /// Opens a file or sample; plays one flood when it is there.
   void open(const std::filesystem::path& file);
   void openSample(const std::string& name, std::size_t triangles);
+  /// Opens the session's model and goes on with it. `file` is where it is saved from now on.
+  /// `recovered` is the copy it was read from when another process left it behind; it is unsaved.
+  void openSession(SessionFile session, const std::filesystem::path& file,
+                   const std::filesystem::path& recovered = {});
+  /// Writes the session. \throws WriteError
+  void saveSession(const std::filesystem::path& file);
+  /// True when changes of the document would be lost by ending now.
+  bool unsaved() const { return hasMesh() && keeper.unsaved(document()); }
+  /// Does at once what would lose unsaved changes when there are none or nobody wants to be asked;
+  /// else asks, and does it after the answer.
+  void whenSafe(std::function<void(AppState&)> step);
+  /// Does what has waited for an answer, or forgets it.
+  void goOn();
+  void giveUp() { waiting_ = {}; }
 
   ViewSettings view;
   Playback playback;
@@ -117,16 +167,32 @@ class AppState {
   PanelState panels;
   Notices notices;
   WindowRequests requests;
+  WorkKeeper keeper;
   /// Seeds for the next model that is opened, as faces of its file.
   std::vector<Index> firstSeeds;
   Index hoveredFace = kNone;   ///< under the mouse on the model or in the texture
   Index pointedChart = kNone;  ///< under the mouse in a plot or list; hoveredChart() says both
   Index selectedChart = kNone;
+  Index hoveredSeed = kNone;  ///< under the mouse in the seeds tool
+  std::optional<SeedDrag> seedDrag;
   /// Longest flood that is repeated while a slider is dragged, milliseconds.
   static constexpr double kLiveMilliseconds = 150;
 
  private:
+  /// What is being opened.
+  struct Opening {
+    SessionModel model;
+    std::optional<SessionFile> session;
+    std::filesystem::path sessionFile;
+    std::filesystem::path recovered;
+  };
+
   bool floodsLive(bool dragging) const;
+  UndoStep present() const;
+  void takeNewMesh();
+  void takeSession(Opening& opening);
+  void keepWork(double seconds);
+  std::string sessionTextFor(const std::filesystem::path& file) const;
   void placeSeeds();
   void takeNotices();
 
@@ -136,10 +202,14 @@ class AppState {
   std::unique_ptr<Insight> insight_;
   std::shared_ptr<const Results> results_;
   WorkStatus status_;
-  UndoHistory<Document> undo_;
+  UndoHistory<UndoStep> undo_;
   std::vector<std::string> journal_;
   std::uint64_t meshVersion_ = 0;
-  bool playWhenOpened_ = false;
+  std::optional<Opening> opening_;
+  SessionModel model_;         ///< of the mesh that is shown
+  std::string unknownInFile_;  ///< of the session file, written back
+  std::map<std::string, SessionValue> unknownView_;
+  std::function<void(AppState&)> waiting_;  ///< for the answer about unsaved changes
 };
 
 /// A command line that gives the present parameters and model: what differs from the defaults.

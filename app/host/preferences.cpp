@@ -124,6 +124,7 @@ Preferences readPreferences(const std::filesystem::path& configFolder,
   config.read("invert-zoom", result.invertZoom, &Json::is_boolean);
   config.read("live", live, &Json::is_string);
   config.read("first-steps", result.firstCard, &Json::is_boolean);
+  config.read("ask-unsaved", result.askUnsaved, &Json::is_boolean);
   config.read("screenshot-scale", result.screenshotScale, &Json::is_number_integer);
   result.navigation = navigationStyleFromId(navigation);
   result.live = liveModeFromId(live);
@@ -150,6 +151,7 @@ void writePreferences(const Preferences& preferences, const std::filesystem::pat
              {"invert-zoom", preferences.invertZoom},
              {"live", liveModeId(preferences.live)},
              {"first-steps", preferences.firstCard},
+             {"ask-unsaved", preferences.askUnsaved},
              {"screenshot-scale", preferences.screenshotScale}});
   writeJson(stateFolder, kStateName,
             {{"window-width", preferences.windowWidth},

@@ -19,6 +19,7 @@ struct Preferences {
   bool invertZoom = false;
   LiveMode live = LiveMode::Auto;
   bool firstCard = true;    ///< the card of first steps is still to be shown
+  bool askUnsaved = true;   ///< before unsaved changes would be lost
   int screenshotScale = 2;  ///< times the window's size: 1, 2 or 4
   int windowWidth = 1280;   ///< screen coordinates
   int windowHeight = 800;

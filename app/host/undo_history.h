@@ -2,6 +2,7 @@
 /// Undo and redo of a value: keeps whole old values, which are cheap to copy.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,20 @@ class UndoHistory {
   }
   /// Ends the open entry: the next change is one of its own.
   void close() { open_ = false; }
+
+  /// The older value of the entry that a change with this key would join; null: none.
+  const Value* joined(const std::string& key) const {
+    return open_ && !undo_.empty() && openKey_ == key ? &undo_.back().value : nullptr;
+  }
+  /// The older value of the open entry, which is forgotten as if it had never been; nothing when
+  /// none is open.
+  std::optional<Value> takeBack() {
+    if (!open_ || undo_.empty()) return std::nullopt;
+    Value value = std::move(undo_.back().value);
+    undo_.pop_back();
+    open_ = false;
+    return value;
+  }
 
   bool canUndo() const { return !undo_.empty(); }
   bool canRedo() const { return !redo_.empty(); }

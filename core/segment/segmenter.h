@@ -77,6 +77,7 @@ struct FloodStart {
 struct SegmentOptions {
   std::size_t charts = 20;
   std::vector<Index> seeds;     ///< first seeds, may be fewer than charts
+  std::vector<Index> locked;    ///< faces of those that stay where they are in all rounds
   std::vector<double> offsets;  ///< of the first round, one per seed; empty: zero
   std::uint32_t rngSeed = 1;
   bool useOffsets = true;

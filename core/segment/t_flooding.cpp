@@ -205,6 +205,12 @@ class TFlooding final : public Stepper {
         chartAreas(*in_.mesh, *in_.gaussArea, faceGauss_, label_, seeds_.size());
     balance_ = balanceOf(areas.gaussArea);
     nextSeeds_ = flood_->farthestFromBorder(seeds_);
+    for (std::size_t c = 0; c < seeds_.size(); ++c) {
+      const auto& locked = options_.locked;
+      if (std::find(locked.begin(), locked.end(), seeds_[c]) != locked.end()) {
+        nextSeeds_[c] = seeds_[c];
+      }
+    }
     nextOffsets_ = offsets_;
     if (options_.useOffsets) {
       updateOffsets(nextOffsets_, areas.gaussArea, options_.offsetDamping);

@@ -1,5 +1,6 @@
 #include "core/session/pipeline.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -81,16 +82,28 @@ void Pipeline::makeGraph(Progress& progress) {
 
 bool Pipeline::finished() const { return stepper_ != nullptr && stepper_->finished(); }
 
+void Pipeline::dropNewestSeeds(std::size_t wanted) {
+  const std::vector<Index> locked = lockedFaces(document_.seeds);
+  std::vector<PlacedSeed> seeds;
+  for (const Index face : seeds_) {
+    const bool stays = std::find(locked.begin(), locked.end(), face) != locked.end();
+    seeds.push_back({face, stays});
+  }
+  dropNewestUnlocked(seeds, wanted);
+  seeds_ = seedFaces(seeds);
+}
+
 void Pipeline::reviseSeeds(const Document& before) {
   const Parameters& now = document_.parameters;
-  if (document_.seeds != before.seeds) {
-    seeds_ = document_.seeds;
-    offsets_.clear();
-  }
-  if (now.rngSeed != before.parameters.rngSeed) seeds_ = document_.seeds;
+  const std::vector<Index> placed = seedFaces(document_.seeds);
+  // Seeds that only moved keep their charts' offsets: the others' borders stay about where they
+  // are.
+  // Seeds that were dropped because of fewer charts leave the others where the rounds took them.
+  const Document followed = withFittingSeeds(before, {now, before.seeds});
+  if (document_.seeds != before.seeds && document_.seeds != followed.seeds) seeds_ = placed;
+  if (now.rngSeed != before.parameters.rngSeed) seeds_ = placed;
   if (now.charts != before.parameters.charts) {
-    const std::size_t wanted = static_cast<std::size_t>(now.charts);
-    if (wanted < seeds_.size()) seeds_.resize(wanted);  // the newest go
+    dropNewestSeeds(static_cast<std::size_t>(now.charts));
     offsets_.clear();
     toldCharts_ = 0;
   }
@@ -104,11 +117,18 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   const Document before = std::exchange(document_, document);
   Stage stage = Stage::Layout;
   const bool changed = firstDifference(before.parameters, document.parameters, stage);
-  if (!mesh_ || (!changed && before.seeds == document.seeds)) return false;
+  // The end of a drag that did not flood gives the same values once more and wants its charts.
+  const bool overdue = live && stale();
+  if (!mesh_ || (!changed && before.seeds == document.seeds && !overdue)) return false;
+  const bool samePlaces = before.seeds == document.seeds || seedFaces(document.seeds) == seeds_;
   // What comes after the labels leaves them as they are.
-  if (stage >= Stage::Cut && before.seeds == document.seeds) return false;
+  if (stage >= Stage::Cut && before.seeds == document.seeds && !overdue) return false;
+  if (stage >= Stage::Cut && samePlaces && stepper_) {  // nor do locks
+    locksChanged_ = true;
+    return false;
+  }
   const bool hadCharts = stepper_ != nullptr || segmentation_ != nullptr;
-  const bool keepFinal = finished() && before.seeds == document.seeds && stage >= Stage::Iterations;
+  const bool keepFinal = finished() && samePlaces && stage >= Stage::Iterations;
   reviseSeeds(before);
   stepper_.reset();
   if (changed && stage <= Stage::Gauss) makeGaussArea(progress);
@@ -122,11 +142,50 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   return true;
 }
 
+bool Pipeline::standsAt(const FloodMoment& moment) const {
+  return stepper_ && stepper_->record() && seeds_ == moment.seeds && offsets_ == moment.offsets &&
+         finished() == moment.finished && stepper_->record()->size() == moment.taken;
+}
+
+void Pipeline::restore(const Document& document, const FloodMoment& moment, Progress& progress) {
+  const Document before = std::exchange(document_, document);
+  if (!mesh_) return;
+  Stage stage = Stage::Layout;
+  const bool changed = firstDifference(before.parameters, document.parameters, stage);
+  if (stage >= Stage::Cut && standsAt(moment)) {  // what comes after the labels, or locks
+    locksChanged_ = locksChanged_ || before.seeds != document.seeds;
+    return;
+  }
+  stepper_.reset();
+  if (changed && stage <= Stage::Gauss) makeGaussArea(progress);
+  if (changed && stage <= Stage::Graph) makeGraph(progress);
+  seeds_ = moment.seeds;
+  offsets_ = moment.offsets;
+  makeStepper(moment.finished ? 1 : static_cast<std::size_t>(document.parameters.maxIterations));
+  const Clock::time_point start = Clock::now();
+  if (moment.finished) {
+    stepper_->advance(StepUnit::Converged, 1, progress);
+  } else if (moment.taken >= mesh_->faceCount()) {
+    stepper_->advance(StepUnit::Flood, 1, progress);
+  } else if (moment.taken > 0) {
+    stepper_->advance(StepUnit::Face, moment.taken, progress);
+  }
+  timing_.segment = millisecondsSince(start);
+}
+
+void Pipeline::takeLocks(Progress& progress) {
+  const std::size_t taken = stepper_->record() ? stepper_->record()->size() : mesh_->faceCount();
+  makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
+  if (taken > 0) stepper_->advance(StepUnit::Face, taken, progress);
+}
+
 void Pipeline::makeStepper(std::size_t maxIterations) {
   const Parameters& p = document_.parameters;
   SegmentOptions options;
   options.charts = static_cast<std::size_t>(p.charts);
-  options.seeds = seeds_.empty() ? document_.seeds : seeds_;
+  options.seeds = seeds_.empty() ? seedFaces(document_.seeds) : seeds_;
+  options.locked = lockedFaces(document_.seeds);
+  locksChanged_ = false;
   options.offsets = offsets_;
   options.rngSeed = static_cast<std::uint32_t>(p.rngSeed);
   options.useOffsets = p.offsets;
@@ -156,6 +215,8 @@ StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress)
   if (!stepper_ || finished()) {
     progress.beginPhase("Placing seeds");
     makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
+  } else if (locksChanged_) {
+    takeLocks(progress);
   }
   const StepOutcome outcome = stepper_->advance(unit, count, progress);
   timing_.segment += millisecondsSince(start);
@@ -279,9 +340,11 @@ void Pipeline::report(Results& results) const {
   results.unwrap = shownFlat_.unwrap;
   results.atlas = shownFlat_.atlas;
   results.flat = isFlat();
+  results.finished = finished();
   results.stale = stale();
   results.timing = timing_;
   results.parameters = document_.parameters;
+  results.placed = document_.seeds;
   if (!stepper_) return;
   results.history.assign(stepper_->history().begin(), stepper_->history().end());
   results.bestIteration = stepper_->bestIteration();
@@ -294,8 +357,12 @@ void Pipeline::tellChartCount() {
   if (count == wanted || count == toldCharts_) return;
   toldCharts_ = count;
   const std::string number = std::to_string(count);
+  const std::size_t locked = lockedFaces(document_.seeds).size();
   if (count < wanted) {
     tell(Notice::Kind::Warning, "Only " + number + " faces: K was set to " + number + ".");
+  } else if (locked > wanted && locked >= mesh_->componentCount()) {
+    tell(Notice::Kind::Warning,
+         std::to_string(locked) + " seeds are locked, so K was raised to " + number + ".");
   } else if (mesh_->componentCount() > wanted) {
     tell(Notice::Kind::Warning,
          std::to_string(mesh_->componentCount()) +

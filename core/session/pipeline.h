@@ -36,6 +36,9 @@ class Pipeline {
   /// stay as they are.
   bool apply(const Document& document, bool live, Progress& progress);
 
+  /// Takes new values and floods once from the moment's seeds and offsets, as far as it had come.
+  void restore(const Document& document, const FloodMoment& moment, Progress& progress);
+
   StepOutcome step(StepUnit unit, std::size_t count, Progress& progress);
   void restartFlood();
   /// Forgets the present seeds: the next flood begins from the first ones.
@@ -69,6 +72,8 @@ class Pipeline {
   };
 
   bool finished() const;
+  /// True when the stepper holds the charts of the moment already.
+  bool standsAt(const FloodMoment& moment) const;
   bool isFlat() const;
   /// Forgets the flat stages that do not belong to the present labels and parameters.
   void dropStaleFlat();
@@ -77,8 +82,11 @@ class Pipeline {
   void makeGraph(Progress& progress);
   /// Forgets of the present seeds what does not hold for the new values.
   void reviseSeeds(const Document& before);
+  void dropNewestSeeds(std::size_t wanted);
   /// Makes a stepper that begins with the present seeds, if there are any.
   void makeStepper(std::size_t maxIterations);
+  /// Begins again where the stepper stands, so that the next rounds know of changed locks.
+  void takeLocks(Progress& progress);
   void noteFlood(const FloodStart& start);
   void tell(Notice::Kind kind, std::string text) const;
   void tellChartCount();
@@ -97,6 +105,7 @@ class Pipeline {
   Flat flat_;                    ///< what is being made; parts are null from the first stale one on
   Flat shownFlat_;               ///< the last complete one
   bool unwrapAsked_ = false;     ///< of the present charts
+  bool locksChanged_ = false;    ///< since the stepper was made
   Timing timing_;
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;

@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "core/io/file_checksum.h"
 #include "core/io/read_mesh.h"
 #include "core/io/samples.h"
 #include "core/model/build_mesh.h"
@@ -45,24 +46,29 @@ class Session::Engine {
     return document_;
   }
 
+  struct Opened {
+    std::shared_ptr<const Mesh> mesh;  ///< null: was stopped
+    std::string checksum = {};
+  };
   /// Mesh from a source, on the worker; the old one stays when that throws or returns null.
-  void open(std::function<std::shared_ptr<const Mesh>(Progress&)> source) {
+  void open(std::function<Opened(Progress&)> source) {
     queue_.cancelAll();
     add(JobQueue::Kind::Open, [this, source = std::move(source)](Progress& progress) {
       const auto start = std::chrono::steady_clock::now();
-      std::shared_ptr<const Mesh> mesh = source(progress);
-      if (!mesh) {
+      Opened opened = source(progress);
+      if (!opened.mesh) {
         post({Notice::Kind::Info, "Opening was stopped; nothing was changed."});
         return;
       }
       const std::chrono::duration<double, std::milli> took =
           std::chrono::steady_clock::now() - start;
-      pipeline_.setMesh(std::move(mesh), took.count(), progress);
+      pipeline_.setMesh(std::move(opened.mesh), took.count(), progress);
       dropSeeds_ = true;
       {
         std::lock_guard lock(mutex_);
         Results fresh;
         fresh.version = results_->version;
+        fresh.checksum = std::move(opened.checksum);
         results_ = std::make_shared<const Results>(std::move(fresh));
       }
       publish(false);
@@ -95,6 +101,20 @@ class Session::Engine {
   }
 
   void setAutoUnwrap(bool on) { autoUnwrap_ = on; }
+
+  void restore(const Document& document, const FloodMoment& moment) {
+    if (moment.seeds.empty()) return setDocument(document, true);
+    dropSeeds_ = false;
+    document_ = document;
+    queue_.cancel(JobQueue::Kind::Step);
+    queue_.cancel(JobQueue::Kind::Apply);
+    queue_.cancel(JobQueue::Kind::Unwrap);
+    add(JobQueue::Kind::Apply, [this, document, moment](Progress& progress) {
+      pipeline_.restore(document, moment, progress);
+      publish(true);
+      unwrapWhenDue();
+    });
+  }
 
   void step(StepUnit unit, std::size_t count) {
     queue_.cancel(JobQueue::Kind::Unwrap);
@@ -205,6 +225,8 @@ class Session::Engine {
       next->record = start.record;
       next->recordIteration = start.iteration;
       next->seeds.assign(start.seeds.begin(), start.seeds.end());
+      next->offsets.assign(start.offsets.begin(), start.offsets.end());
+      next->finished = false;
       ++next->version;
       results_ = std::move(next);
     }
@@ -235,34 +257,49 @@ class Session::Engine {
   JobQueue queue_;  // last: its thread ends before what it uses
 };
 
+FloodMoment momentOf(const Results& results) {
+  FloodMoment moment;
+  if (results.stale || !results.record) return moment;
+  moment.seeds = results.seeds;
+  moment.offsets = results.offsets;
+  moment.taken = results.record->size();
+  moment.finished = results.finished;
+  return moment;
+}
+
 Session::Session(Worker worker) : engine_(std::make_unique<Engine>(worker)) {}
 Session::~Session() = default;
 
 void Session::open(const std::filesystem::path& file) {
-  engine_->open([file](Progress& progress) -> std::shared_ptr<const Mesh> {
+  engine_->open([file](Progress& progress) -> Engine::Opened {
     progress.beginPhase("Reading");
     std::shared_ptr<const InputMesh> input = readMesh(file, &progress);
-    if (!input) return nullptr;
+    if (!input) return {nullptr};
+    std::string checksum = fileChecksum(file);
     progress.beginPhase("Gluing faces");
-    return buildMesh(std::move(input));
+    return {buildMesh(std::move(input)), std::move(checksum)};
   });
 }
 
 void Session::openSample(const std::string& name, std::size_t triangles) {
-  engine_->open([name, triangles](Progress& progress) {
+  engine_->open([name, triangles](Progress& progress) -> Engine::Opened {
     progress.beginPhase("Making the sample");
-    return buildMesh(makeSample(name, triangles));
+    return {buildMesh(makeSample(name, triangles))};
   });
 }
 
 void Session::openMesh(std::shared_ptr<const Mesh> mesh) {
-  engine_->open([mesh = std::move(mesh)](Progress&) { return mesh; });
+  engine_->open([mesh = std::move(mesh)](Progress&) -> Engine::Opened { return {mesh}; });
 }
 
 const Document& Session::document() const { return engine_->document(); }
 
 void Session::setDocument(const Document& document, bool live) {
   engine_->setDocument(document, live);
+}
+
+void Session::restore(const Document& document, const FloodMoment& moment) {
+  engine_->restore(document, moment);
 }
 
 void Session::step(StepUnit unit, std::size_t count) { engine_->step(unit, count); }

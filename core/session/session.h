@@ -22,17 +22,9 @@
 #include "core/model/segmentation.h"
 #include "core/model/unwrap.h"
 #include "core/segment/segmenter.h"
-#include "core/session/parameters.h"
+#include "core/session/document.h"
 
 namespace chartflood {
-
-/// What undo brings back: values only, cheap to copy.
-struct Document {
-  Parameters parameters;
-  std::vector<Index> seeds;  ///< seeds placed by hand; empty: placed by the method
-
-  bool operator==(const Document&) const = default;
-};
 
 /// How long each stage took, milliseconds; negative when it did not run.
 struct Timing {
@@ -59,13 +51,20 @@ struct Results {
   std::shared_ptr<const FloodRecord> record;
   std::size_t recordIteration = 0;  ///< round that `record` belongs to
   std::vector<Index> seeds;         ///< of the round of `record`
+  std::vector<double> offsets;      ///< of the round of `record`, one a seed
   std::vector<IterationSummary> history;
   std::size_t bestIteration = 0;
   StopReason stopReason = StopReason::NotStopped;
+  bool finished = false;  ///< a stop rule has fired and the borders were finished
   bool stale = false;
   Timing timing;
-  Parameters parameters;  ///< that the results were made with
+  Parameters parameters;           ///< that the results were made with
+  std::vector<PlacedSeed> placed;  ///< the document's seeds that they were made with
+  std::string checksum;            ///< of the mesh's file, see fileChecksum(); "" for others
 };
+
+/// Where the charts that are shown came from; without seeds when they are stale or there are none.
+FloodMoment momentOf(const Results& results);
 
 /// A sentence for the user, in the order of events.
 struct Notice {
@@ -109,6 +108,9 @@ class Session {
   /// were shown, one flood from the present seeds with the new values (`live`), otherwise nothing
   /// more until a step is asked for.
   void setDocument(const Document& document, bool live = true);
+  /// Takes new values and makes the charts of a moment again. Without seeds in the moment this is
+  /// setDocument(document).
+  void restore(const Document& document, const FloodMoment& moment);
 
   /// Lays the present charts flat: cuts, unwraps and packs what is not up to date. Needs complete
   /// charts; a notice says so where there are none.

@@ -78,7 +78,7 @@ TEST_F(Program, SaysItsVersionAndHelp) {
   EXPECT_EQ(version.errors, "");
   const ProgramRun help = run({"--help"});
   EXPECT_EQ(help.exitCode, 0);
-  EXPECT_THAT(help.output, StartsWith("Usage: chartflood [options] [mesh]"));
+  EXPECT_THAT(help.output, StartsWith("Usage: chartflood [options] [mesh or session]"));
   EXPECT_EQ(help.errors, "");
 }
 

@@ -112,6 +112,13 @@ void HeadlessFrame::enter() {
   frames(2);
 }
 
+void HeadlessFrame::escape() {
+  ImGui::GetIO().KeysDown[ImGuiKey_Escape] = true;
+  frames(1);
+  ImGui::GetIO().KeysDown[ImGuiKey_Escape] = false;
+  frames(2);
+}
+
 std::string HeadlessFrame::lastLine() const {
   return state_.journal().empty() ? std::string() : state_.journal().back();
 }

@@ -27,6 +27,9 @@ class HeadlessFrame {
   ProbedItem item(std::string_view label) const;
   bool has(std::string_view label) const { return frame_.probe().find(label) != nullptr; }
 
+  /// What draws and picks in the 3D view; null at first.
+  void setSource(SceneSource* source) { sceneSource = source; }
+
   void moveTo(ImVec2 place);
   void press(int button = 0);
   void release(int button = 0);
@@ -37,6 +40,7 @@ class HeadlessFrame {
   void type(const char* text);
   void enter();
   void wheel(float notches);
+  void escape();
   void key(const char* chord) { frame_.key(parseChord(chord), false); }
 
   AppState& state() { return state_; }

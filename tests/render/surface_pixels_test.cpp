@@ -216,6 +216,30 @@ TEST_F(SurfacePixels, SeedsOfHiddenChartsAreNotMarked) {
   EXPECT_NE(draw(settings), without);
 }
 
+TEST_F(SurfacePixels, LockedSeedsAreLargerAndShowAPadlock) {
+  show(test::cube(4));
+  const Segmentation sides = cubeSides();
+  renderer_->setSegmentation(&sides);
+  const auto seen = seenTriangles();
+  const auto [triangle, pixel] = seen[seen.size() / 2];
+  RenderSettings settings = flat(ColorMode::Shaded);
+  settings.seedMarks = true;
+  settings.seedRadius = 12;
+  const auto drawn = [&](bool locked) {
+    const SeedMark seed{triangle, sides.label[triangle], false, locked};
+    renderer_->setSeeds({&seed, 1});
+    return draw(settings);
+  };
+  const Image open = drawn(false), locked = drawn(true);
+  const auto lightness = [&](const Image& image, int right, int down) {
+    const Rgba8 color = image.at(pixel.x + right, pixel.y + down);
+    return std::min({color[0], color[1], color[2]});
+  };
+  EXPECT_GT(lightness(locked, 0, 3), 230) << "the lock's body";
+  EXPECT_LT(lightness(open, 0, 3), 200);
+  EXPECT_NE(locked.at(pixel.x + 15, pixel.y), open.at(pixel.x + 15, pixel.y)) << "larger";
+}
+
 /// Normals of a ball, outwards (1) or inwards (-1).
 CornerNormals ballNormals(const Mesh& mesh, float outwards) {
   CornerNormals normals;

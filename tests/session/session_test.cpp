@@ -134,7 +134,7 @@ TEST_P(SessionWith, MoreChartsKeepTheOldSeeds) {
 TEST_P(SessionWith, PlacedSeedsAreUsed) {
   openSample("sphere", 3000);
   set([](Document& d) {
-    d.seeds = {5, 100, 2000};
+    d.seeds = {{5}, {100}, {2000}};
     d.parameters.charts = 3;
   });
   const auto results = after(StepUnit::Flood);

@@ -42,6 +42,9 @@ void fileMenu(const Ui& ui) {
   }
   actionMenuItem(ui, "reload");
   ImGui::Separator();
+  actionMenuItem(ui, "save-session");
+  actionMenuItem(ui, "save-session-as");
+  ImGui::Separator();
   for (const char* line : {"export-mesh", "export-uv", "export-seams", "export-labels"}) {
     actionMenuItem(ui, line);
   }
@@ -69,6 +72,23 @@ void editMenu(const Ui& ui) {
   actionMenuItem(ui, "copy-command");
   actionMenuItem(ui, "copy-figures");
   actionMenuItem(ui, "copy-charts");
+  actionMenuItem(ui, "ask-unsaved");
+  ImGui::EndMenu();
+}
+
+void seedsMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Seeds")) return;
+  actionMenuItem(ui, "tool select", "Select charts");
+  actionMenuItem(ui, "tool seeds", "Work on seeds");
+  ImGui::Separator();
+  actionMenuItem(ui, "add-seed-in-view");
+  actionMenuItem(ui, "delete-seed", "Delete the one under the mouse");
+  actionMenuItem(ui, "spread-seeds");
+  ImGui::Separator();
+  actionMenuItem(ui, "lock-seed", "Lock the one under the mouse");
+  actionMenuItem(ui, "clear-locks");
+  ImGui::Separator();
+  actionMenuItem(ui, "copy-seeds");
   ImGui::EndMenu();
 }
 
@@ -172,7 +192,7 @@ void helpMenu(const Ui& ui) {
 
 /// The model's name at the right end.
 void modelName(const Ui& ui) {
-  const std::string name = ui.state.modelName();
+  const std::string name = ui.state.modelName() + (ui.state.unsaved() ? " *" : "");
   const float width = ImGui::CalcTextSize(name.c_str()).x + ui.px(12);
   const float left = ImGui::GetWindowWidth() - width;
   if (name.empty() || left < ImGui::GetCursorPosX() + ui.px(20)) return;
@@ -189,6 +209,7 @@ void menuBar(const Ui& ui) {
   fileMenu(ui);
   editMenu(ui);
   viewMenu(ui);
+  seedsMenu(ui);
   runMenu(ui);
   helpMenu(ui);
   modelName(ui);

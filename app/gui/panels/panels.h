@@ -41,4 +41,9 @@ void firstStepsCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
 /// The film of the HandleCutter, while there is one; in the 3D view between two corners.
 void handleFilmBar(const Ui& ui, ImVec2 low, ImVec2 high);
 
+/// Offers what a crash has left, without holding anything up.
+void recoveryCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
+/// Asks, while the state wants it, what to do with unsaved changes.
+void unsavedQuestion(const Ui& ui);
+
 }  // namespace chartflood

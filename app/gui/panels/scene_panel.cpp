@@ -2,24 +2,22 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <imgui_internal.h>
 
 #include "app/gui/camera_control.h"
+#include "app/gui/panels/seeds_tool.h"
 #include "app/gui/widgets.h"
 
 namespace chartflood {
 
 namespace {
 
-constexpr double kQuickPick = 0.02;  // slower picks wait for a resting mouse
+constexpr ImU32 kVeil = IM_COL32(24, 24, 24, 170);  // keeps text legible over the model
+constexpr double kQuickPick = 0.02;                 // slower picks wait for a resting mouse
 
-Pick pickAt(SceneSource* source, const ViewRectangle& view, ImVec2 place) {
-  if (source == nullptr) return {};
-  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  return source->pick(static_cast<int>((place.x - view.min.x) * scale.x),
-                      static_cast<int>((place.y - view.min.y) * scale.y));
-}
+bool usesSeeds(const Ui& ui) { return ui.state.panels.tool == PanelState::Tool::Seeds; }
 
 /// Notes that the user moved the camera.
 void moved(SceneMouse& mouse) {
@@ -45,8 +43,6 @@ void moveCamera(const Ui& ui, const ViewRectangle& view, SceneMouse& mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 delta = io.MouseDelta;
   if (delta.x == 0 && delta.y == 0) return;
-  mouse.travelled += std::abs(delta.x) + std::abs(delta.y);
-  if (mouse.travelled < kClickTravel) return;
   const CameraMotion motion =
       motionOf(ui.state.preferences.navigation, mouse.button, io.KeyShift, io.KeyCtrl, io.KeyAlt);
   if (motion == CameraMotion::None) return;
@@ -75,6 +71,19 @@ void hover(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMo
   }
   mouse.pickedAt = place;
   ui.state.hoveredFace = pickAt(source, view, place).face;
+  ui.state.hoveredSeed = usesSeeds(ui) ? seedAt(ui, source, view, place) : kNone;
+}
+
+/// A drag moves the seed that it began on, or else the camera.
+void dragInView(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMouse& mouse) {
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  mouse.travelled += std::abs(delta.x) + std::abs(delta.y);
+  if (mouse.travelled < SceneMouse::kClickTravel) return;
+  if (mouse.button == 0 && mouse.seed != kNone) {
+    dragSeed(ui, source, view, mouse);
+  } else {
+    moveCamera(ui, view, mouse);
+  }
 }
 
 void useMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMouse& mouse) {
@@ -84,21 +93,27 @@ void useMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
     mouse.travelled = 0;
     if (ui.state.panels.firstCard) ui.run("first-steps off");
     GImGui->NavDisableHighlight = true;  // the keyboard belongs to the view again
+    pressSeed(ui, source, view, mouse);
   }
-  if (ImGui::IsItemActive() && mouse.button >= 0) moveCamera(ui, view, mouse);
+  if (ImGui::IsItemActive() && mouse.button >= 0) dragInView(ui, source, view, mouse);
   if (ImGui::IsItemDeactivated()) {
-    if (mouse.button == 0 && mouse.travelled < kClickTravel) click(ui, source, view);
+    if (usesSeeds(ui) || mouse.seedDragged) {
+      releaseSeed(ui, source, view, mouse);
+    } else if (mouse.button == 0 && mouse.travelled < SceneMouse::kClickTravel) {
+      click(ui, source, view);
+    }
     mouse.button = -1;
   }
   if (!ImGui::IsItemHovered()) {
     // Once, when the mouse leaves: the texture may be what is pointed at.
     if (mouse.hovering) ui.state.hoveredFace = kNone;
+    ui.state.hoveredSeed = kNone;
     mouse.hovering = false;
     mouse.pickedAt = {-1, -1};
     return;
   }
   mouse.hovering = true;
-  if (io.MouseDoubleClicked[0]) {
+  if (io.MouseDoubleClicked[0] && !usesSeeds(ui)) {
     if (const Pick pick = pickAt(source, view, io.MousePos); pick.hit()) {
       ui.state.view.camera.target = pick.point;
       moved(mouse);
@@ -110,6 +125,7 @@ void useMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
     moved(mouse);
   }
   if (mouse.button < 0) hover(ui, source, view, mouse);
+  if (ui.state.hoveredSeed != kNone) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
 }
 
 /// The model's axes at the bottom left, so that turning is never lost.
@@ -140,26 +156,40 @@ void drawAxes(const Ui& ui, const ViewRectangle& view) {
   ImGui::PopFont();
 }
 
-const char* hintText(NavigationStyle style) {
-  switch (style) {
+/// The gestures as lines of text from the bottom upwards; those of seeds in pieces that fit a
+/// narrow view too.
+std::vector<const char*> hintLines(const Ui& ui) {
+  if (ui.state.seedDrag) return {"Let go: it stays here    Esc: puts it back"};
+  if (usesSeeds(ui)) {
+    return {
+        "Right click: menu    Drag beside: turn    V: select charts",
+        "Click: add a seed    Drag a seed: move it    Ctrl+click: remove    Double click: lock"};
+  }
+  switch (ui.state.preferences.navigation) {
   case NavigationStyle::Blender:
-    return "Middle: turn    Shift+middle: move    Wheel: closer    Click: select a chart";
+    return {"Middle: turn    Shift+middle: move    Wheel: closer    Click: select a chart"};
   case NavigationStyle::Maya:
-    return "Alt+left: turn    Alt+middle: move    Alt+right: closer    Click: select a chart";
+    return {"Alt+left: turn    Alt+middle: move    Alt+right: closer    Click: select a chart"};
   case NavigationStyle::Simple:
     break;
   }
-  return "Drag: turn    Middle: move    Wheel: closer    Click: select a chart    H: keys";
+  return {"Drag: turn    Middle: move    Wheel: closer    Click: select a chart    H: keys"};
 }
 
 void drawHint(const Ui& ui, const ViewRectangle& view) {
-  const char* text = hintText(ui.state.preferences.navigation);
   ImGui::PushFont(ui.theme.small);
-  const float width = ImGui::CalcTextSize(text).x;
-  if (width + ui.px(24) < view.width()) {
-    ImGui::GetWindowDrawList()->AddText(
-        {std::round((view.min.x + view.max.x - width) / 2), view.max.y - ui.px(24)},
-        ui.theme.palette.dim, text);
+  float y = view.max.y - ui.px(24);
+  for (const char* text : hintLines(ui)) {
+    const float width = ImGui::CalcTextSize(text).x;
+    if (width + ui.px(24) < view.width()) {
+      const ImVec2 at{std::round((view.min.x + view.max.x - width) / 2), y};
+      const float pad = ui.px(6), height = ImGui::GetTextLineHeight();
+      ImDrawList& list = *ImGui::GetWindowDrawList();
+      list.AddRectFilled({at.x - pad, at.y - 1}, {at.x + width + pad, at.y + height + 1}, kVeil,
+                         ui.px(3));
+      list.AddText(at, ui.theme.palette.text, text);
+    }
+    y -= ImGui::GetTextLineHeight() + ui.px(2);
   }
   ImGui::PopFont();
 }
@@ -202,6 +232,7 @@ void scenePanel(const Ui& ui, SceneSource* source, SceneMouse& mouse) {
                              ImGuiButtonFlags_MouseButtonMiddle);
   ui.probe.item("view");
   useMouse(ui, source, view, mouse);
+  seedMenu(ui, source, view, mouse);
   const double still = ImGui::GetTime() - mouse.movedAt;
   const bool moving = still < kSettleSeconds || ui.state.playback.playing() || ui.state.changing();
   if (still < kSettleSeconds) ui.wakeIn(kSettleSeconds - still);

@@ -8,6 +8,8 @@ namespace chartflood {
 
 /// What the mouse is doing in the view; kept by the owner of the panel.
 struct SceneMouse {
+  static constexpr float kClickTravel = 4;  ///< a press that moves less is a click, pixels
+
   int button = -1;       ///< that was pressed inside the view, -1: none
   float travelled = 0;   ///< pixels since then
   double movedAt = -10;  ///< time of the last movement of the camera, ImGui::GetTime()
@@ -18,6 +20,11 @@ struct SceneMouse {
   /// changes its size.
   bool framed = false;
   double framedAspect = 0;
+  // Of the seeds tool, from the press of a button to its release.
+  Index seed = kNone;        ///< that was under the mouse when it was pressed
+  bool seedDragged = false;  ///< it was moved since then, or put back
+  bool clickAdded = false;   ///< the last click added a seed
+  Index menuSeed = kNone;    ///< whose menu is open
 };
 
 /// So long after the last movement the pictures are drawn smoothly.

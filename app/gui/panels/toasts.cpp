@@ -74,6 +74,7 @@ void firstStepsCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax) {
   if (!ui.state.panels.firstCard) return;
   static constexpr const char* kLines[][2] = {{"Space", "watch it flood"},
                                               {"1 \u2013 9", "choose what to see"},
+                                              {"G", "add and move seeds"},
                                               {"Enter", "run to the best balance"},
                                               {"F12", "take a picture"}};
   const float width = std::min(ui.px(500), areaMax.x - areaMin.x - ui.px(24));

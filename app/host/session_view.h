@@ -1,0 +1,23 @@
+#pragma once
+/// The view as a session file holds it: named plain values, by the names of the options where
+/// there are some.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/host/view_settings.h"
+#include "core/session/session_io.h"
+
+namespace chartflood {
+
+using SessionView = std::map<std::string, SessionValue>;
+
+/// What is worth keeping of a view: colours, overlays, ground, camera.
+SessionView viewValues(const ViewSettings& view);
+
+/// Sets what `values` names. With a camera among them the view no longer waits to be framed.
+/// \returns sentences that name what is not known or cannot be used, and was left out.
+std::vector<std::string> applyViewValues(const SessionView& values, ViewSettings& view);
+
+}  // namespace chartflood

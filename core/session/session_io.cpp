@@ -1,0 +1,347 @@
+#include "core/session/session_io.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/io/file_bytes.h"
+#include "core/io/samples.h"
+
+namespace chartflood {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVersion = 1;
+constexpr int kDeepest = 32;  // of nested values: ours have 3
+constexpr std::size_t kLargestFile = std::size_t{256} << 20;
+
+// Writing.
+
+Json parametersJson(const Parameters& parameters) {
+  Json json = Json::object();
+  for (const ParameterInfo& info : parameterTable()) {
+    std::visit([&](const auto& value) { json[info.id] = value; }, parameterValue(parameters, info));
+  }
+  return json;
+}
+
+Json modelJson(const SessionModel& model, const std::filesystem::path& target) {
+  if (model.file.empty()) return {{"sample", model.sample}, {"triangles", model.triangles}};
+  std::error_code error;
+  const auto file = std::filesystem::absolute(model.file, error).lexically_normal();
+  const auto folder = std::filesystem::absolute(target, error).lexically_normal().parent_path();
+  const std::string relative = file.lexically_relative(folder).string();
+  Json json = Json::object();
+  if (!relative.empty()) json["relative"] = relative;
+  json["file"] = file.string();
+  json["checksum"] = model.checksum;
+  return json;
+}
+
+Json seedsJson(const std::vector<PlacedSeed>& seeds) {
+  Json json = Json::array();
+  for (const PlacedSeed& seed : seeds) {
+    json.push_back({{"face", seed.face}, {"locked", seed.locked}});
+  }
+  return json;
+}
+
+Json viewJson(const std::map<std::string, SessionValue>& view) {
+  Json json = Json::object();
+  for (const auto& [name, value] : view) {
+    std::visit([&, &key = name](const auto& plain) { json[key] = plain; }, value);
+  }
+  return json;
+}
+
+/// Puts what this version does not know beside what it knows.
+void addUnknown(Json& json, const Json& unknown) {
+  for (const auto& [key, value] : unknown.items()) {
+    if (!json.contains(key)) {
+      json[key] = value;
+    } else if (json[key].is_object() && value.is_object()) {
+      addUnknown(json[key], value);
+    }
+  }
+}
+
+// Reading.
+
+/// Takes known values out of an object; what is left over is unknown.
+class Reader {
+ public:
+  Reader(Json json, std::string where, std::vector<std::string>& warnings)
+      : json_(std::move(json)), where_(std::move(where)), warnings_(warnings) {}
+
+  bool has(const char* key) const { return json_.contains(key); }
+  Json take(const std::string& key) {
+    const auto found = json_.find(key);
+    if (found == json_.end()) return nullptr;
+    Json value = std::move(*found);
+    json_.erase(found);
+    return value;
+  }
+  std::string text(const char* key) {
+    if (!has(key)) return "";
+    const Json value = take(key);
+    if (value.is_string()) return value.get<std::string>();
+    unusable(key);
+    return "";
+  }
+  bool flag(const char* key) {
+    if (!has(key)) return false;
+    const Json value = take(key);
+    if (value.is_boolean()) return value.get<bool>();
+    unusable(key);
+    return false;
+  }
+  std::size_t count(const char* key) {
+    if (!has(key)) return 0;
+    const Json value = take(key);
+    if (value.is_number_unsigned()) return value.get<std::size_t>();
+    unusable(key);
+    return 0;
+  }
+  /// An object or array under a key; an empty one when it is absent or something else.
+  Json part(const char* key, bool isArray) {
+    Json value = take(key);
+    if (isArray ? value.is_array() : value.is_object()) return value;
+    if (!value.is_null()) unusable(key);
+    return isArray ? Json::array() : Json::object();
+  }
+  void unusable(const std::string& key) {
+    warnings_.push_back("The session's value of '" + where_ + key +
+                        "' cannot be used and was left out.");
+  }
+  /// What nobody asked for.
+  const Json& rest() const { return json_; }
+
+ private:
+  Json json_;
+  std::string where_;
+  std::vector<std::string>& warnings_;
+};
+
+Json parseText(std::string_view text, const std::string& name) {
+  bool tooDeep = false;
+  const auto watch = [&](int depth, Json::parse_event_t, Json&) {
+    tooDeep = tooDeep || depth > kDeepest;
+    return !tooDeep;
+  };
+  Json json;
+  try {
+    json = Json::parse(text, watch);
+  } catch (const Json::exception&) {
+    throw ReadError(name, "it is not a whole session file (broken JSON)");
+  }
+  if (tooDeep || !json.is_object() || !json.contains("chartflood-session")) {
+    throw ReadError(name, "it is not a session file of chartflood");
+  }
+  return json;
+}
+
+void checkVersion(const Json& version, const std::string& name) {
+  if (!version.is_number_integer() || version < 1) {
+    throw ReadError(name, "its version is not a number from 1 on");
+  }
+  if (version > kVersion) {
+    throw ReadError(name, "it was written by a newer chartflood (session version " +
+                              version.dump() + ", this one reads " + std::to_string(kVersion) +
+                              ")");
+  }
+}
+
+SessionModel readModel(Reader& reader, const std::filesystem::path& session) {
+  SessionModel model;
+  model.sample = reader.text("sample");
+  model.triangles = reader.count("triangles");
+  const std::string relative = reader.text("relative"), absolute = reader.text("file");
+  model.checksum = reader.text("checksum");
+  if (!model.sample.empty()) {
+    const auto samples = sampleTable();
+    const bool known = std::any_of(samples.begin(), samples.end(), [&](const SampleInfo& sample) {
+      return model.sample == sample.id;
+    });
+    if (!known) {
+      throw ReadError(session.string(), "its sample '" + model.sample + "' is not known here");
+    }
+    return model;
+  }
+  if (relative.empty() && absolute.empty()) {
+    throw ReadError(session.string(), "it does not say which model it belongs to");
+  }
+  std::error_code error;
+  const auto beside = (session.parent_path() / relative).lexically_normal();
+  if (!relative.empty() && std::filesystem::exists(beside, error)) {
+    model.file = beside;
+  } else if (!absolute.empty() && std::filesystem::exists(absolute, error)) {
+    model.file = absolute;
+  } else {
+    std::string places = relative.empty() ? "" : beside.string();
+    if (!absolute.empty() && absolute != places) {
+      places += (places.empty() ? "" : " and ") + absolute;
+    }
+    throw ReadError(session.string(), "its model is not there any more; looked for " + places);
+  }
+  return model;
+}
+
+Parameters readParameters(Reader& reader) {
+  Parameters parameters;
+  for (const ParameterInfo& info : parameterTable()) {
+    if (!reader.has(info.id)) continue;
+    const Json json = reader.take(info.id);
+    const ParameterValue kind = parameterDefault(info);
+    try {
+      if (std::holds_alternative<bool>(kind) && json.is_boolean()) {
+        setParameter(parameters, info, json.get<bool>());
+      } else if (std::holds_alternative<int>(kind) && json.is_number_integer()) {
+        // By its text: numbers that do not fit are out of range and must not wrap.
+        setParameterFromText(parameters, info, json.dump());
+      } else if (std::holds_alternative<double>(kind) && json.is_number()) {
+        setParameter(parameters, info, json.get<double>());
+      } else if (std::holds_alternative<std::string>(kind) && json.is_string()) {
+        setParameter(parameters, info, json.get<std::string>());
+      } else {
+        reader.unusable(info.id);
+      }
+    } catch (const UsageError&) {
+      reader.unusable(info.id);
+    }
+  }
+  return parameters;
+}
+
+bool isFace(const Json& json) {
+  return json.is_number_unsigned() && json.get<std::uint64_t>() < kNone;
+}
+
+std::vector<PlacedSeed> readSeeds(Reader& reader) {
+  std::vector<PlacedSeed> seeds;
+  bool all = true;
+  for (const Json& json : reader.part("seeds", true)) {
+    const bool usable = json.is_object() && json.contains("face") && isFace(json["face"]);
+    all = all && usable;
+    if (!usable) continue;
+    const bool locked = json.contains("locked") && json["locked"] == true;
+    seeds.push_back({json["face"].get<Index>(), locked});
+  }
+  if (!all) reader.unusable("seeds");
+  return seeds;
+}
+
+FloodMoment readCharts(Reader& parent, std::vector<std::string>& warnings) {
+  Reader reader(parent.part("charts", false), "charts/", warnings);
+  FloodMoment moment;
+  bool usable = true;
+  for (const Json& face : reader.part("seeds", true)) {
+    usable = usable && isFace(face);
+    if (usable) moment.seeds.push_back(face.get<Index>());
+  }
+  for (const Json& offset : reader.part("offsets", true)) {
+    usable = usable && offset.is_number() && std::isfinite(offset.get<double>());
+    if (usable) moment.offsets.push_back(offset.get<double>());
+  }
+  moment.taken = reader.count("taken");
+  moment.finished = reader.flag("finished");
+  usable = usable && (moment.offsets.empty() || moment.offsets.size() == moment.seeds.size());
+  if (usable) return moment;
+  parent.unusable("charts");
+  return {};
+}
+
+std::map<std::string, SessionValue> readView(Reader& parent) {
+  std::map<std::string, SessionValue> view;
+  const Json json = parent.part("view", false);
+  for (const auto& [name, value] : json.items()) {
+    const bool numbers =
+        value.is_array() && std::all_of(value.begin(), value.end(),
+                                        [](const Json& entry) { return entry.is_number(); });
+    if (value.is_boolean()) {
+      view[name] = value.get<bool>();
+    } else if (value.is_number()) {
+      view[name] = value.get<double>();
+    } else if (value.is_string()) {
+      view[name] = value.get<std::string>();
+    } else if (numbers) {
+      view[name] = value.get<std::vector<double>>();
+    } else {
+      parent.unusable("view/" + name);
+    }
+  }
+  return view;
+}
+
+/// Keeps what was not asked for, and says so.
+void keepUnknown(SessionFile& session, const Json& top,
+                 const std::vector<std::pair<const char*, const Json*>>& parts) {
+  Json unknown = top;
+  std::string names;
+  const auto name = [&](const Json& json, const std::string& where) {
+    for (const auto& item : json.items()) {
+      names += (names.empty() ? "'" : ", '") + where + item.key() + "'";
+    }
+  };
+  name(top, "");
+  for (const auto& [key, json] : parts) {
+    name(*json, std::string(key) + "/");
+    if (!json->empty()) unknown[key] = *json;
+  }
+  if (names.empty()) return;
+  session.unknown = unknown.dump(-1, ' ', false, Json::error_handler_t::replace);
+  session.warnings.push_back("The session holds what this version does not know (" + names +
+                             "); it is kept when the session is saved again.");
+}
+
+}  // namespace
+
+std::string sessionText(const SessionFile& session, const std::filesystem::path& target) {
+  Json json = {
+      {"chartflood-session", kVersion},
+      {"model", modelJson(session.model, target)},
+      {"parameters", parametersJson(session.parameters)},
+      {"seeds", seedsJson(session.seeds)},
+      {"charts",
+       {{"seeds", session.charts.seeds},
+        {"offsets", session.charts.offsets},
+        {"taken", session.charts.taken},
+        {"finished", session.charts.finished}}},
+      {"view", viewJson(session.view)},
+  };
+  if (!session.continues.empty()) json["continues"] = session.continues.string();
+  if (!session.unknown.empty()) {
+    const Json unknown = Json::parse(session.unknown, nullptr, false);
+    if (unknown.is_object()) addUnknown(json, unknown);
+  }
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+SessionFile readSession(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::error_code error;
+  if (const auto bytes = std::filesystem::file_size(file, error); !error && bytes > kLargestFile) {
+    throw ReadError(name, "it is too large for a session file");
+  }
+  const FileBytes content(file);
+  SessionFile session;
+  Reader top(parseText(content.view(), name), "", session.warnings);
+  checkVersion(top.take("chartflood-session"), name);
+  Reader model(top.part("model", false), "model/", session.warnings);
+  session.model = readModel(model, file);
+  Reader parameters(top.part("parameters", false), "parameters/", session.warnings);
+  session.parameters = readParameters(parameters);
+  session.seeds = readSeeds(top);
+  session.charts = readCharts(top, session.warnings);
+  session.view = readView(top);
+  session.continues = top.text("continues");
+  keepUnknown(session, top.rest(), {{"model", &model.rest()}, {"parameters", &parameters.rest()}});
+  return session;
+}
+
+}  // namespace chartflood
