@@ -14,6 +14,10 @@ picture() {
     --scalar-bar=off --output="$pictures/$name.png" "$@"
 }
 
+# Model and texture side by side.
+"$program" --sample=rocket --resolution=1280,640 --supersampling=2 --scalar-bar=off \
+  --seed-marks=off --view=both --color-by=checkerboard --output="$pictures/rocket-texture.png"
+
 picture rocket-gauss --color-by=gauss --seams=off --seed-marks=off
 picture rocket-flood --color-by=charts --steps=16000
 picture rocket-charts --color-by=charts --seed-marks=off
