@@ -10,6 +10,7 @@
 #include "core/pack/grid_layout.h"
 #include "core/pack/pack_search.h"
 #include "core/pack/pack_shape.h"
+#include "core/pack/shelf_layout.h"
 
 namespace chartflood {
 
@@ -80,12 +81,30 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
   return fitted;
 }
 
+/// A search among so many charts takes too long, and one among needles finds nothing: they have
+/// next to no area, however they lie.
+bool worthSearching(std::span<const ChartOutline> outlines) {
+  constexpr std::size_t kMostCharts = 250;
+  constexpr double kLeastShare = 0.02;  // of the charts' squares
+  double area = 0, squares = 0;
+  for (const ChartOutline& outline : outlines) {
+    const double side = smallestSquare(outline.hull).side;
+    area += outline.area;
+    squares += side * side;
+  }
+  return outlines.size() <= kMostCharts && area > kLeastShare * squares;
+}
+
 }  // namespace
 
 std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
                                     double effort, Progress& progress) {
   std::vector<Placement> grid = gridLayout(outlines, gaps, true);
   if (outlines.size() < 2) return grid;
+  if (!worthSearching(outlines)) {
+    std::vector<Placement> shelves = shelfLayout(outlines, gaps, grid.front().scale);
+    return shelves.empty() ? grid : shelves;
+  }
   Sizes sizes = measure(outlines);
   // A field does not see two fine teeth that cross: without a gap they would hook into each other.
   const PackGaps soft{std::max(gaps.between, 0.001), gaps.border};

@@ -201,9 +201,9 @@ void drawMissing(const Ui& ui, const ViewRectangle& view) {
   std::string text =
       std::string(colorModeInfo(mode).label) + " can be seen when the charts are laid flat";
   const std::string key = ui.actions.shortcut("unwrap");
-  if (!key.empty()) text += ": press " + key;
+  if (!key.empty() && !ui.state.status().unwrapping) text += ": press " + key;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 at{std::round((view.min.x + view.max.x - size.x) / 2), view.min.y + ui.px(16)};
+  const ImVec2 at{std::round((view.min.x + view.max.x - size.x) / 2), view.min.y + ui.px(62)};
   const ImVec2 pad{ui.px(10), ui.px(5)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},

@@ -178,6 +178,21 @@ TEST(PackedLayout, TwoHundredCharts) {
   EXPECT_GT(atlas->efficiency, 0.55);
 }
 
+TEST(PackedLayout, ManyChartsStandOnShelves) {
+  LaidCharts laid;
+  Rng rng(3);
+  for (int i = 0; i < 400; ++i) {
+    laid.addRectangle(0.02 + 0.001 * rng.below(30), 0.01 + 0.001 * rng.below(10));
+  }
+  for (const int margin : {0, 3}) {
+    const auto atlas = laid.layout({kPacked, 1024, margin, kQuick});
+    expectSound(laid, *atlas);
+    expectOneScale(*atlas);
+    if (margin > 0) expectApart(laid, *atlas);
+    EXPECT_GT(atlas->efficiency, margin == 0 ? 0.85 : 0.6);
+  }
+}
+
 TEST(PackedLayout, TinyTextures) {
   const LaidCharts laid = blobs(9, 2);
   for (const int size : {1, 16}) {
