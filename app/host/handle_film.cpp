@@ -130,7 +130,7 @@ std::string HandleFilm::sentence() const {
   case HandleEventKind::Split:
     return "A front has split in two; each part remembers its shortest loop.";
   case HandleEventKind::Close:
-    return "A front has closed: there was no handle.";
+    return "A front has closed: nothing is left to take there.";
   case HandleEventKind::Touch:
     return "Two fronts meet: a handle is found.";
   case HandleEventKind::Cut:
