@@ -19,6 +19,17 @@ Index firstOfFan(const ChartSurface& s, Index side) {
   }
 }
 
+/// Makes `vertex` the corner of all triangles in the fan around the start of `side`.
+void giveFan(ChartSurface& s, Index side, Index vertex, std::vector<bool>& visited) {
+  const Index first = firstOfFan(s, side);
+  Index turn = first;
+  do {
+    visited[turn] = true;
+    s.triangles[turn / 3][turn % 3] = vertex;
+    turn = s.opposite[ChartSurface::previousSide(turn)];
+  } while (turn != kNone && turn != first);
+}
+
 /// Triangles, diagonals and neighbours of every chart; vertices are still those of the mesh.
 std::vector<ChartSurface> cutOut(const Mesh& mesh, std::span<const Index> label,
                                  std::size_t chartCount) {
@@ -55,13 +66,7 @@ void numberVertices(const Mesh& mesh, ChartSurface& s) {
     const Index meshVertex = s.sideStart(side);
     s.meshVertex.push_back(meshVertex);
     s.positions.push_back(mesh.positions()[meshVertex]);
-    const Index first = firstOfFan(s, side);
-    Index turn = first;
-    do {
-      visited[turn] = true;
-      s.triangles[turn / 3][turn % 3] = vertex;
-      turn = s.opposite[ChartSurface::previousSide(turn)];
-    } while (turn != kNone && turn != first);
+    giveFan(s, side, vertex, visited);
   }
 }
 
@@ -97,13 +102,7 @@ void openAlong(ChartSurface& s, std::span<const Index> sides) {
       s.meshVertex.push_back(s.meshVertex[old]);
     }
     kept[old] = true;
-    const Index first = firstOfFan(s, side);
-    Index turn = first;
-    do {
-      visited[turn] = true;
-      s.triangles[turn / 3][turn % 3] = vertex;
-      turn = s.opposite[ChartSurface::previousSide(turn)];
-    } while (turn != kNone && turn != first);
+    giveFan(s, side, vertex, visited);
   }
 }
 

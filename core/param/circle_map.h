@@ -1,5 +1,5 @@
 #pragma once
-/// Charts with their boundary on a circle (paper section 3.7).
+/// Charts with their boundary on a circle (paper section 4).
 
 #include <vector>
 

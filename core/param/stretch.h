@@ -1,5 +1,5 @@
 #pragma once
-/// How much a chart is distorted in the plane (paper section 3.7; Sander, Snyder, Gortler, Hoppe
+/// How much a chart is distorted in the plane (paper section 4; Sander, Snyder, Gortler, Hoppe
 /// 2001, "Texture mapping progressive meshes").
 
 #include <span>

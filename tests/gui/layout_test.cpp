@@ -50,13 +50,10 @@ TEST_P(Layout, ParameterRowsAreWholeInWidth) {
 }
 
 TEST_P(Layout, SwitchesOfOneLineDoNotOverlap) {
-  const char* const kPairs[][2] = {{"seams", "cuts"},
-                                   {"seeds", "numbers"},
-                                   {"edges", "sharp-edges"},
-                                   {"color-bar", "smooth"},
-                                   {"orthographic", "isolate"},
-                                   {"checker-in-texture", "checker-tint"},
-                                   {"uv-fill", "uv-frame"}};
+  const char* const kPairs[][2] = {
+      {"seams", "cuts"},       {"seeds", "numbers"},        {"edges", "sharp-edges"},
+      {"color-bar", "smooth"}, {"orthographic", "isolate"}, {"checker-in-texture", "checker-tint"},
+      {"uv-fill", "uv-frame"}};
   for (const auto& [left, right] : kPairs) {
     EXPECT_LE(ui.item(left).max.x, ui.item(right).min.x + 0.5f) << left;
     EXPECT_LE(ui.item(right).max.x, ui.item(right).clipMax.x + 0.5f) << right;
