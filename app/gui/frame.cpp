@@ -5,6 +5,7 @@
 
 #include <imgui_internal.h>
 
+#include "app/gui/panels/compare_panel.h"
 #include "app/gui/panels/panels.h"
 #include "app/gui/panels/seeds_tool.h"
 #include "app/gui/widgets.h"
@@ -135,7 +136,7 @@ void Frame::drawRight(const Ui& ui, const Layout& layout, UvSource* uvSource) {
     bool uvShown = false;
     tab("UV", PanelState::RightTab::Uv, [&](const Ui& inside) {
       uvShown = true;
-      const double moved = ImGui::GetTime() - mouse_.movedAt;
+      const double moved = ImGui::GetTime() - std::max(mouse_.movedAt, sideMouse_.movedAt());
       uvPanel(inside, uvSource, uvMouse_, moved < kSettleSeconds);
     });
     if (!uvShown) leaveUv(ui, uvMouse_);
@@ -156,7 +157,11 @@ void Frame::drawScene(const Ui& ui, const Layout& layout, SceneSource* source) {
   beginFixed("scene", low, {high.x - low.x, high.y - low.y}, theme_.palette.ground, {0, 0},
              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
                  ImGuiWindowFlags_NoNav);
-  scenePanel(ui, source, mouse_);
+  if (state_.compare.showing()) {
+    comparePanel(ui, source, sideMouse_);
+  } else {
+    scenePanel(ui, source, mouse_);
+  }
   endFixed();
   toasts(ui, low, high);
   firstStepsCard(ui, low, high);

@@ -3,6 +3,7 @@
 /// Needs a Dear ImGui context, but no window and no GL.
 
 #include "app/gui/file_browser.h"
+#include "app/gui/panels/compare_panel.h"
 #include "app/gui/panels/scene_panel.h"
 #include "app/gui/panels/uv_panel.h"
 #include "app/gui/probe.h"
@@ -53,6 +54,7 @@ class Frame {
   Probe probe_;
   UiMemory memory_;
   SceneMouse mouse_;
+  CompareMouse sideMouse_;
   UvMouse uvMouse_;
   FileBrowser browser_;
   bool laidOut_ = false;

@@ -83,8 +83,13 @@ void SceneView::takeMesh(const Results& results) {
   ++content_;
 }
 
-void SceneView::takeDerived(const AppState& state) {
-  const auto derived = state.insight().surface(state.results());
+void SceneView::takeDerived(const AppState& state, const Results& results) {
+  if (results.gaussArea != state.results().gaussArea && !insight_) {
+    insight_ = std::make_unique<Insight>(false);
+    insight_->setWake(wake_);
+  }
+  const bool shared = results.gaussArea == state.results().gaussArea;
+  const auto derived = (shared ? state.insight() : *insight_).surface(results);
   if (!derived || derived == derived_) return;
   derived_ = derived;
   renderer_.setNormals(&derived->normals);
@@ -112,7 +117,7 @@ void SceneView::takeFilm(const AppState& state) {
   ++content_;
 }
 
-void SceneView::takeFlood(const Results& results, std::shared_ptr<const FloodRecord> record) {
+void SceneView::takeFlood(std::shared_ptr<const FloodRecord> record) {
   if (record != record_) {
     record_ = std::move(record);
     recorded_ = 0;
@@ -130,7 +135,8 @@ void SceneView::takeFlood(const Results& results, std::shared_ptr<const FloodRec
 }
 
 void SceneView::takeSeeds(const AppState& state) {
-  std::vector<SeedMark> marks = seedMarks(state);
+  std::vector<SeedMark> marks =
+      pane_.live() ? seedMarks(state) : state.compare.stored[pane_.stored].seeds;
   if (marks == seeds_) return;
   seeds_ = std::move(marks);
   renderer_.setSeeds(seeds_);
@@ -181,20 +187,49 @@ void SceneView::takeDistortion(const Results& results) {
 }
 
 void SceneView::takeIn(const AppState& state) {
-  const Results& results = state.results();
+  const Results& results = paneResults(state, pane_);
   takeMesh(results);
   if (!mesh_) return;
-  takeDerived(state);
+  takeDerived(state, results);
   if (results.segmentation != segmentation_) {
     segmentation_ = results.segmentation;
     renderer_.setSegmentation(segmentation_.get());
     ++content_;
   }
-  takeFlood(results, state.film.ready() ? state.film.flood() : results.record);
+  const bool filmed = pane_.live() && state.film.ready();
+  takeFlood(filmed ? state.film.flood() : results.record);
   takeSeeds(state);
-  takeFilm(state);
+  if (pane_.live()) takeFilm(state);
   takeUnwrap(results);
   takeDistortion(results);
+}
+
+void SceneView::prepare(const AppState& state) {
+  const gl::FramebufferScope keep;
+  // A picture under way shows the data that it was begun with, and is finished even when a newer
+  // one is wanted: while things move none would ever be otherwise. Only another mesh ends it.
+  if (!pending_ || paneResults(state, pane_).mesh != mesh_) takeIn(state);
+}
+
+RenderSettings SceneView::settings(const AppState& state, float pixelScale) const {
+  if (!state.compare.showing()) return sceneSettings(state, pixelScale);
+  RenderSettings settings = paneLook(state, pane_);
+  settings.pixelScale = pixelScale;
+  settings.playhead.reset();
+  if (pane_.live()) {
+    const RenderSettings live = sceneSettings(state, pixelScale);
+    settings.playhead = live.playhead;
+    settings.hiddenCharts = live.hiddenCharts;
+    settings.hoverChart = live.hoverChart;
+    if (state.film.ready()) settings.colorMode = live.colorMode;
+  }
+  if (sharedRange_ && !settings.range) settings.range = sharedRange_;
+  return settings;
+}
+
+std::optional<ScalarRange> SceneView::ownRange(const AppState& state) const {
+  if (!mesh_) return std::nullopt;
+  return renderer_.scalarRange(paneLook(state, pane_));
 }
 
 int SceneView::samplesFor(bool moving) const {
@@ -239,16 +274,14 @@ bool SceneView::goOn() {
 ImTextureID SceneView::picture(const AppState& state, int width, int height, float pixelScale,
                                bool moving) {
   const gl::FramebufferScope keep;
-  // A picture under way shows the data that it was begun with, and is finished even when a newer
-  // one is wanted: while things move none would ever be otherwise. Only another mesh ends it.
-  if (!pending_ || state.results().mesh != mesh_) takeIn(state);
+  prepare(state);
   if (pending_ && !renderer_.drawing(back_)) pending_.reset();
   width_ = std::max(1, width);
   height_ = std::max(1, height);
   const int samples = samplesFor(moving);
   const int divisor = coarse_ && samples == 1 ? 2 : 1;
-  Shown wanted{sceneSettings(state, pixelScale / static_cast<float>(divisor)),
-               state.view.camera,
+  Shown wanted{settings(state, pixelScale / static_cast<float>(divisor)),
+               state.compare.showing() ? paneCamera(state, pane_) : state.view.camera,
                std::max(1, width_ / divisor),
                std::max(1, height_ / divisor),
                samples,

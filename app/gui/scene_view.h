@@ -13,6 +13,7 @@
 #include <imgui.h>
 
 #include "app/host/app_state.h"
+#include "app/host/compare_look.h"
 #include "render/gl/framebuffer.h"
 #include "render/renderer.h"
 
@@ -31,6 +32,8 @@ class SceneSource {
   virtual double pickSeconds() const = 0;
   /// Colour of each chart in the picture, sRGB in [0, 1]; empty: not known.
   virtual std::vector<glm::vec3> chartColors(const AppState&) const { return {}; }
+  /// What draws a half of a comparison.
+  virtual SceneSource* side(const AppState&, ComparePane) { return this; }
 };
 
 /// The settings of the picture that shows the state now: playhead, selection, hover.
@@ -44,6 +47,17 @@ class SceneView : public SceneSource {
   /// Needs a current GL context, now and in every call. `wake` is called from another thread when
   /// something new can be drawn.
   explicit SceneView(std::function<void()> wake);
+
+  /// From now on shows this half of a comparison, or the live state as ever.
+  void setPane(ComparePane pane) { pane_ = pane; }
+  /// Takes in what is new, unless a picture is under way.
+  void prepare(const AppState& state);
+  /// The scale of colours that the half has by itself; nothing for modes without one.
+  std::optional<ScalarRange> ownRange(const AppState& state) const;
+  /// The ends that all halves share; nothing: each its own.
+  void setSharedRange(std::optional<std::pair<double, double>> range) { sharedRange_ = range; }
+  /// What a picture of the half is drawn with.
+  RenderSettings settings(const AppState& state, float pixelScale) const;
 
   ImTextureID picture(const AppState& state, int width, int height, float pixelScale,
                       bool moving) override;
@@ -76,8 +90,8 @@ class SceneView : public SceneSource {
 
   void takeIn(const AppState& state);
   void takeMesh(const Results& results);
-  void takeDerived(const AppState& state);
-  void takeFlood(const Results& results, std::shared_ptr<const FloodRecord> record);
+  void takeDerived(const AppState& state, const Results& results);
+  void takeFlood(std::shared_ptr<const FloodRecord> record);
   void takeSeeds(const AppState& state);
   void takeFilm(const AppState& state);
   void takeUnwrap(const Results& results);
@@ -87,6 +101,10 @@ class SceneView : public SceneSource {
 
   Renderer renderer_;
   std::function<void()> wake_;
+  ComparePane pane_;
+  std::optional<std::pair<double, double>> sharedRange_;
+  /// Normals and Gauss values of a stored result with another Gauss area than the live one.
+  std::unique_ptr<Insight> insight_;
   gl::Framebuffer front_, back_;            ///< what is shown, and what is being drawn
   std::optional<Shown> shown_;              ///< in front_
   std::optional<Shown> pending_;            ///< begun in back_

@@ -13,6 +13,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
 
+#include "app/gui/compare_scene.h"
 #include "app/gui/imgui_gl.h"
 #include "app/gui/key_names.h"
 #include "app/gui/picture_taker.h"
@@ -175,8 +176,8 @@ class Window::Parts {
   }
 
   /// A slow picture is on its way; the 3D view's goes first.
-  bool drawing() const { return scene_.busy() || uv_.busy(); }
-  bool goOn() { return scene_.busy() ? scene_.goOn() : uv_.goOn(); }
+  bool drawing() const { return sides_.busy() || uv_.busy(); }
+  bool goOn() { return sides_.busy() ? sides_.goOn() : uv_.goOn(); }
 
   void touched() { framesLeft_ = kSettlingFrames; }
 
@@ -234,7 +235,7 @@ class Window::Parts {
     }
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    frame_.draw(&scene_, &uv_);
+    frame_.draw(&sides_, &uv_);
     ImGui::Render();
     present();
     deadline_ = now() + frame_.wakeIn();
@@ -306,6 +307,7 @@ class Window::Parts {
   Frame frame_;
   ImguiGl drawer_;
   SceneView scene_;
+  CompareScene sides_{scene_, wakeWindow};
   UvView uv_{scene_};
   PictureTaker pictures_;
   std::ofstream frameLog_;

@@ -84,6 +84,7 @@ ActionRegistry makeActionRegistry() {
   addViewActions(registry);
   addChartActions(registry);
   addFilmActions(registry);
+  addCompareActions(registry);
   addInsightActions(registry);
   addExportActions(registry);
   return registry;

@@ -19,6 +19,8 @@ void addSegmentActions(ActionRegistry& registry);
 void addViewActions(ActionRegistry& registry);
 /// Selecting charts, looking at one alone, their texture and its checkerboard.
 void addChartActions(ActionRegistry& registry);
+/// Results kept beside the live ones.
+void addCompareActions(ActionRegistry& registry);
 /// The film of the HandleCutter.
 void addFilmActions(ActionRegistry& registry);
 /// The Gauss sphere, plots, figures of charts, and what deserves attention.

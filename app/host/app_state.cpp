@@ -29,6 +29,7 @@ AppState::AppState(Session::Worker worker)
 void AppState::update(double seconds) {
   results_ = session_.results();
   status_ = session_.status();
+  compare.update(results_);
   takeNotices();
   notices.update(seconds);
   if (results_->meshVersion != meshVersion_) {
@@ -197,6 +198,19 @@ bool AppState::floodsLive(bool dragging) const {
   if (!dragging || preferences.live == LiveMode::On) return true;
   const double last = results_->timing.segment;
   return last >= 0 && last < kLiveMilliseconds;
+}
+
+void AppState::takeUp(const Document& document, const FloodMoment& moment, std::string name) {
+  rememberCharts(std::move(name));
+  playback.follow();
+  selectedChart = hoveredSeed = kNone;
+  session_.restore(document, moment);
+}
+
+const CompareFigures& AppState::liveFigures() const {
+  if (figuresVersion_ != results_->version) figures_ = compareFigures(*results_);
+  figuresVersion_ = results_->version;
+  return figures_;
 }
 
 void AppState::undo() {

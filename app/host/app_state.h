@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/host/compare.h"
 #include "app/host/handle_film.h"
 #include "app/host/insight.h"
 #include "app/host/notices.h"
@@ -102,6 +103,7 @@ class AppState {
   const Document& document() const { return session_.document(); }
   /// As of the last update; never null.
   const Results& results() const { return *results_; }
+  const std::shared_ptr<const Results>& sharedResults() const { return results_; }
   const WorkStatus& status() const { return status_; }
   bool hasMesh() const { return results_->mesh != nullptr; }
   /// "bunny" for /models/bunny.obj; "" without a mesh.
@@ -121,6 +123,8 @@ class AppState {
                       bool dragging);
   /// Notes that something other than the document is about to change, so that it can be undone.
   void rememberCharts(std::string name);
+  /// Makes a document and the charts of a moment the present ones, as an undoable step.
+  void takeUp(const Document& document, const FloodMoment& moment, std::string name);
   void undo();
   void redo();
   /// Ends a drag that is to be forgotten: the document is as it was before it.
@@ -129,6 +133,8 @@ class AppState {
 
   /// What is shown beside the results; worked out on demand, never part of the state.
   Insight& insight() const { return *insight_; }
+  /// What a comparison says of the live results; worked out when they have changed.
+  const CompareFigures& liveFigures() const;
   /// The chart that is pointed at, on the model, in the texture, in a plot or in the table; kNone
   /// for none.
   Index hoveredChart() const;
@@ -163,6 +169,7 @@ class AppState {
   ViewSettings view;
   Playback playback;
   HandleFilm film;
+  Compare compare;
   Preferences preferences;
   PanelState panels;
   Notices notices;
@@ -201,6 +208,8 @@ class AppState {
   Session session_;
   std::unique_ptr<Insight> insight_;
   std::shared_ptr<const Results> results_;
+  mutable CompareFigures figures_;  ///< of the results of `figuresVersion_`
+  mutable std::uint64_t figuresVersion_ = 0;
   WorkStatus status_;
   UndoHistory<UndoStep> undo_;
   std::vector<std::string> journal_;

@@ -180,6 +180,27 @@ void runMenu(const Ui& ui) {
   ImGui::EndMenu();
 }
 
+void compareMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Compare")) return;
+  for (const char* slot : {"A", "B", "C"}) {
+    actionMenuItem(ui, std::string("store ") + slot, std::string("Store as ") + slot);
+  }
+  ImGui::Separator();
+  for (const StoredResult& each : ui.state.compare.stored) {
+    actionMenuItem(ui, "use " + each.name, "Use " + each.name);
+  }
+  actionMenuItem(ui, "swap");
+  ImGui::Separator();
+  for (const char* line : {"side-by-side", "wipe"}) actionMenuItem(ui, line);
+  ImGui::Separator();
+  for (const char* line : {"link-cameras", "link-colors", "link-range", "link-checker"}) {
+    actionMenuItem(ui, line);
+  }
+  ImGui::Separator();
+  actionMenuItem(ui, "clear-compare");
+  ImGui::EndMenu();
+}
+
 void helpMenu(const Ui& ui) {
   if (!beginMenu(ui, "Help")) return;
   actionMenuItem(ui, "keys");
@@ -211,6 +232,7 @@ void menuBar(const Ui& ui) {
   viewMenu(ui);
   seedsMenu(ui);
   runMenu(ui);
+  compareMenu(ui);
   helpMenu(ui);
   modelName(ui);
   ImGui::EndMenuBar();

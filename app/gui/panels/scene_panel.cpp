@@ -17,26 +17,14 @@ namespace {
 constexpr ImU32 kVeil = IM_COL32(24, 24, 24, 170);  // keeps text legible over the model
 constexpr double kQuickPick = 0.02;                 // slower picks wait for a resting mouse
 
-bool usesSeeds(const Ui& ui) { return ui.state.panels.tool == PanelState::Tool::Seeds; }
+bool usesSeeds(const Ui& ui, const SceneMouse& mouse) {
+  return ui.state.panels.tool == PanelState::Tool::Seeds && mouse.pane.live();
+}
 
 /// Notes that the user moved the camera.
 void moved(SceneMouse& mouse) {
   mouse.movedAt = ImGui::GetTime();
   mouse.framed = false;
-}
-
-void frameModel(AppState& state, const ViewRectangle& view, SceneMouse& mouse) {
-  if (!state.view.pointsToFrame.empty()) {
-    state.view.camera.frame(state.view.pointsToFrame, view.aspect(), 0.2);
-    state.view.pointsToFrame.clear();
-    moved(mouse);
-  }
-  const bool resized = mouse.framed && mouse.framedAspect != view.aspect();
-  if (!state.hasMesh() || !(state.view.frameWhenLoaded || resized)) return;
-  state.view.camera.frame(state.results().mesh->positions(), view.aspect());
-  state.view.frameWhenLoaded = false;
-  mouse.framed = true;
-  mouse.framedAspect = view.aspect();
 }
 
 void moveCamera(const Ui& ui, const ViewRectangle& view, SceneMouse& mouse) {
@@ -51,10 +39,12 @@ void moveCamera(const Ui& ui, const ViewRectangle& view, SceneMouse& mouse) {
   moved(mouse);
 }
 
-void click(const Ui& ui, SceneSource* source, const ViewRectangle& view) {
+void click(const Ui& ui, SceneSource* source, const ViewRectangle& view, const SceneMouse& mouse) {
   const Pick pick = pickAt(source, view, ImGui::GetIO().MousePos);
   if (ImGui::GetIO().MouseDoubleClicked[0] && pick.hit()) return;
-  ui.run(pick.chart == kNone ? "select-chart" : "select-chart " + std::to_string(pick.chart));
+  std::string line = "select-chart";
+  if (!mouse.pane.live()) line = "select-stored " + paneName(ui.state.compare, mouse.pane);
+  ui.run(pick.chart == kNone ? line : line + ' ' + std::to_string(pick.chart));
 }
 
 void hover(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMouse& mouse) {
@@ -70,8 +60,13 @@ void hover(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMo
     if (rested < kSettleSeconds) return ui.wakeIn(kSettleSeconds - rested);
   }
   mouse.pickedAt = place;
-  ui.state.hoveredFace = pickAt(source, view, place).face;
-  ui.state.hoveredSeed = usesSeeds(ui) ? seedAt(ui, source, view, place) : kNone;
+  mouse.face = pickAt(source, view, place).face;
+  const bool sameMesh = paneResults(ui.state, mouse.pane).mesh == ui.state.results().mesh;
+  ui.state.hoveredFace = sameMesh ? mouse.face : kNone;
+  ui.state.compare.underMouse = mouse.pane;
+  if (mouse.pane.live()) {
+    ui.state.hoveredSeed = usesSeeds(ui, mouse) ? seedAt(ui, source, view, place) : kNone;
+  }
 }
 
 /// A drag moves the seed that it began on, or else the camera.
@@ -93,33 +88,36 @@ void useMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
     mouse.travelled = 0;
     if (ui.state.panels.firstCard) ui.run("first-steps off");
     GImGui->NavDisableHighlight = true;  // the keyboard belongs to the view again
-    pressSeed(ui, source, view, mouse);
+    if (ui.state.compare.showing()) activate(ui.state, mouse.pane);
+    mouse.seed = kNone;
+    if (mouse.pane.live()) pressSeed(ui, source, view, mouse);
   }
   if (ImGui::IsItemActive() && mouse.button >= 0) dragInView(ui, source, view, mouse);
   if (ImGui::IsItemDeactivated()) {
-    if (usesSeeds(ui) || mouse.seedDragged) {
+    if (usesSeeds(ui, mouse) || mouse.seedDragged) {
       releaseSeed(ui, source, view, mouse);
     } else if (mouse.button == 0 && mouse.travelled < SceneMouse::kClickTravel) {
-      click(ui, source, view);
+      click(ui, source, view, mouse);
     }
     mouse.button = -1;
   }
   if (!ImGui::IsItemHovered()) {
     // Once, when the mouse leaves: the texture may be what is pointed at.
-    if (mouse.hovering) ui.state.hoveredFace = kNone;
-    ui.state.hoveredSeed = kNone;
+    if (mouse.hovering && ui.state.hoveredFace == mouse.face) ui.state.hoveredFace = kNone;
+    if (mouse.pane.live()) ui.state.hoveredSeed = kNone;
     mouse.hovering = false;
     mouse.pickedAt = {-1, -1};
     return;
   }
   mouse.hovering = true;
-  if (io.MouseDoubleClicked[0] && !usesSeeds(ui)) {
+  if (io.MouseDoubleClicked[0] && !usesSeeds(ui, mouse)) {
     if (const Pick pick = pickAt(source, view, io.MousePos); pick.hit()) {
       ui.state.view.camera.target = pick.point;
       moved(mouse);
     }
   }
   if (io.MouseWheel != 0) {
+    if (ui.state.compare.showing()) activate(ui.state, mouse.pane);
     wheelCamera(ui.state.view.camera, view, io.MousePos, io.MouseWheel,
                 ui.state.preferences.invertZoom);
     moved(mouse);
@@ -160,7 +158,7 @@ void drawAxes(const Ui& ui, const ViewRectangle& view) {
 /// narrow view too.
 std::vector<const char*> hintLines(const Ui& ui) {
   if (ui.state.seedDrag) return {"Let go: it stays here    Esc: puts it back"};
-  if (usesSeeds(ui)) {
+  if (ui.state.panels.tool == PanelState::Tool::Seeds) {
     return {
         "Right click: menu    Drag beside: turn    V: select charts",
         "Click: add a seed    Drag a seed: move it    Ctrl+click: remove    Double click: lock"};
@@ -222,27 +220,54 @@ void drawInvitation(const Ui& ui, const ViewRectangle& view) {
 
 }  // namespace
 
+void frameModel(AppState& state, const ViewRectangle& view, SceneMouse& mouse) {
+  if (!state.view.pointsToFrame.empty()) {
+    state.view.camera.frame(state.view.pointsToFrame, view.aspect(), 0.2);
+    state.view.pointsToFrame.clear();
+    moved(mouse);
+  }
+  const bool resized = mouse.framed && mouse.framedAspect != view.aspect();
+  if (!state.hasMesh() || !(state.view.frameWhenLoaded || resized)) return;
+  state.view.camera.frame(state.results().mesh->positions(), view.aspect());
+  state.view.frameWhenLoaded = false;
+  mouse.framed = true;
+  mouse.framedAspect = view.aspect();
+}
+
+void sceneMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMouse& mouse,
+                const char* label) {
+  ImGui::SetCursorScreenPos(view.min);
+  ImGui::InvisibleButton(label, {view.max.x - view.min.x, view.max.y - view.min.y},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  ui.probe.item(label);
+  useMouse(ui, source, view, mouse);
+  if (mouse.pane.live()) seedMenu(ui, source, view, mouse);
+}
+
+void scenePicture(const Ui& ui, SceneSource* source, const ViewRectangle& view,
+                  const SceneMouse& mouse, float from, float to) {
+  const double still = ImGui::GetTime() - mouse.movedAt;
+  const bool moving = still < kSettleSeconds || ui.state.playback.playing() || ui.state.changing();
+  if (still < kSettleSeconds) ui.wakeIn(kSettleSeconds - still);
+  if (source == nullptr) return;
+  const ImVec2 size{view.max.x - view.min.x, view.max.y - view.min.y};
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const ImTextureID picture =
+      source->picture(ui.state, static_cast<int>(size.x * scale.x),
+                      static_cast<int>(size.y * scale.y), ui.theme.scale, moving);
+  ImGui::GetWindowDrawList()->AddImage(picture, {view.min.x + from * size.x, view.min.y},
+                                       {view.min.x + to * size.x, view.max.y}, {from, 1}, {to, 0});
+}
+
 void scenePanel(const Ui& ui, SceneSource* source, SceneMouse& mouse) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
   if (size.x < 8 || size.y < 8) return;
   const ViewRectangle view{low, {low.x + size.x, low.y + size.y}};
   frameModel(ui.state, view, mouse);
-  ImGui::InvisibleButton("view", size,
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                             ImGuiButtonFlags_MouseButtonMiddle);
-  ui.probe.item("view");
-  useMouse(ui, source, view, mouse);
-  seedMenu(ui, source, view, mouse);
-  const double still = ImGui::GetTime() - mouse.movedAt;
-  const bool moving = still < kSettleSeconds || ui.state.playback.playing() || ui.state.changing();
-  if (still < kSettleSeconds) ui.wakeIn(kSettleSeconds - still);
-  if (source != nullptr) {
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const ImTextureID picture =
-        source->picture(ui.state, static_cast<int>(size.x * scale.x),
-                        static_cast<int>(size.y * scale.y), ui.theme.scale, moving);
-    ImGui::GetWindowDrawList()->AddImage(picture, view.min, view.max, {0, 1}, {1, 0});
-  }
+  mouse.pane = {};
+  sceneMouse(ui, source, view, mouse, "view");
+  scenePicture(ui, source, view, mouse);
   if (!ui.state.hasMesh()) return drawInvitation(ui, view);
   drawAxes(ui, view);
   drawMissing(ui, view);

@@ -5,6 +5,7 @@
 
 #include "app/gui/panels/panels.h"
 #include "app/gui/widgets.h"
+#include "app/host/compare_look.h"
 
 namespace chartflood {
 
@@ -52,7 +53,11 @@ void workState(const Ui& ui) {
 
 /// Chart of a face as shown at the playhead, kNone when it is dry.
 Index shownChart(const AppState& state, Index face) {
-  const Segmentation* labels = state.results().segmentation.get();
+  const Compare& compare = state.compare;
+  const ComparePane pane = compare.showing() ? compare.underMouse : ComparePane{};
+  const bool there = pane.live() || pane.stored < compare.stored.size();
+  const Results& results = there ? paneResults(state, pane) : state.results();
+  const Segmentation* labels = results.segmentation.get();
   if (labels == nullptr || face >= labels->label.size()) return kNone;
   return labels->label[face];
 }
