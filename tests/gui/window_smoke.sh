@@ -35,6 +35,7 @@ shows() { await grep -q "\"$1\"" "$folder/probe.json"; }
 
 "$program" --sample=sphere --triangles=2000 & pid=$!
 shows scrubber || fail "no window after 20 seconds"
+shows tab/Charts || fail "no tab"  # side bars come one frame later
 click "tab\/Charts" || fail "no tab"
 shows chart/19 || fail "the first flood was not played"
 click "tab\/Plots" || fail "no tab"
