@@ -120,7 +120,7 @@ void addGeneral(std::vector<OptionInfo>& table) {
 }
 
 void addUnbuilt(std::vector<OptionInfo>& table) {
-  for (const char* name : {"best-of", "balance-weight", "crease-weight", "compare"}) {
+  for (const char* name : {"best-of", "compare"}) {
     table.push_back({name, "VALUE", "", "", false});
   }
 }

@@ -98,7 +98,7 @@ bool surroundedBy(const Mesh& mesh, std::span<const Index> label, Index vertex, 
 
 BorderMoves::BorderMoves(const Mesh& mesh, const GaussArea& gauss,
                          std::span<const double> faceGauss, std::vector<Index> label,
-                         std::span<const Index> seeds, const Options& options)
+                         std::size_t charts, std::span<const Index> seeds, const Options& options)
     : mesh_(mesh), label_(std::move(label)), fixed_(mesh.faceCount(), false),
       sweepsLeft_(options.maxSweeps), active_((mesh.faceCount() + 63) / 64, ~std::uint64_t{0}) {
   auto tables = std::make_unique<Tables>();
@@ -123,7 +123,7 @@ BorderMoves::BorderMoves(const Mesh& mesh, const GaussArea& gauss,
   }
   tables_ = std::move(tables);
   for (const Index seed : seeds) fixed_[seed] = true;
-  value_ = chartAreas(mesh, gauss, faceGauss, label_, seeds.size()).gaussArea;
+  value_ = chartAreas(mesh, gauss, faceGauss, label_, charts).gaussArea;
   for (Index f = 0; f < label_.size(); ++f) value_[label_[f]] += options.eta * area[f];
   for (const double v : value_) {
     sum_ += v;

@@ -31,8 +31,10 @@ class BorderMoves {
     std::size_t maxSweeps = 50;
   };
 
+  /// \param seeds faces that stay where they are
   BorderMoves(const Mesh& mesh, const GaussArea& gauss, std::span<const double> faceGauss,
-              std::vector<Index> label, std::span<const Index> seeds, const Options& options);
+              std::vector<Index> label, std::size_t charts, std::span<const Index> seeds,
+              const Options& options);
   ~BorderMoves();
 
   /// Sweeps until nothing moves or `progress` is cancelled; true when nothing is left to move.

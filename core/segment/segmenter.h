@@ -13,6 +13,7 @@
 #include "core/model/flood_record.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
+#include "core/model/seam_record.h"
 #include "core/model/segmentation.h"
 
 namespace chartflood {
@@ -43,6 +44,8 @@ class Stepper {
   virtual std::shared_ptr<const Segmentation> state() const = 0;
   /// Log of the present flood. Grows while advance() runs.
   virtual std::shared_ptr<const FloodRecord> record() const = 0;
+  /// What the refinement of borders did; null before it is done and when it kept no record.
+  virtual std::shared_ptr<const SeamRecord> seamRecord() const = 0;
   /// Finished rounds, oldest first.
   virtual std::span<const IterationSummary> history() const = 0;
   /// Index into history() of the best round so far; 0 when there is none yet.
@@ -73,6 +76,21 @@ struct FloodStart {
   std::span<const double> offsets;  ///< one a seed
 };
 
+/// How borders are refined once a method is done.
+enum class RefineKind {
+  None,
+  Moves,  ///< single faces change sides: BorderMoves
+  Cuts,   ///< minimum cuts between charts: SeamCuts
+};
+
+struct RefineOptions {
+  RefineKind kind = RefineKind::Cuts;
+  double balanceWeight = 1000;  ///< w of the cuts
+  double creaseWeight = 0.3;    ///< length of a sharp edge against a smooth one's, of the cuts
+  double cleanUp = 1000;        ///< weight of balance of the moves
+  bool oneSided = false;        ///< cuts: only charts above their share of the whole cost
+};
+
 /// What the methods can be told; each uses what it knows.
 struct SegmentOptions {
   std::size_t charts = 20;
@@ -86,10 +104,9 @@ struct SegmentOptions {
   std::size_t maxIterations = 60;
   std::size_t patience = 10;
   bool detectCycles = true;
-  std::size_t settle = 4;   ///< rounds without gain that end balancing with seeds at rest
-  bool refineMoves = true;  ///< clean up borders by single-face moves at the end
-  double cleanUp = 1000;    ///< their weight of balance
-  bool record = true;       ///< keep a log of the present flood
+  std::size_t settle = 4;  ///< rounds without gain that end balancing with seeds at rest
+  RefineOptions refine;
+  bool record = true;  ///< keep a log of the present flood
   /// Told of each flood as it begins, on the thread that drives the stepper.
   std::function<void(const FloodStart&)> onFlood;
 };

@@ -10,7 +10,7 @@
 #include "core/flood/flood.h"
 #include "core/gauss/compute_gauss_area.h"
 #include "core/segment/balance.h"
-#include "core/segment/border_moves.h"
+#include "core/segment/border_refiner.h"
 #include "core/segment/chart_areas.h"
 #include "core/segment/convergence.h"
 #include "core/segment/offsets.h"
@@ -62,7 +62,7 @@ class TFlooding final : public Stepper {
     state->iteration = iteration_;
     if (phase_ == Phase::Done || phase_ == Phase::Refining) {
       state->label = finalLabel_;
-      state->refined = phase_ == Phase::Done && options_.refineMoves;
+      state->refined = phase_ == Phase::Done && options_.refine.kind != RefineKind::None;
       state->complete = true;
     } else {
       flood_->copyLabels(state->label);
@@ -73,6 +73,9 @@ class TFlooding final : public Stepper {
   }
 
   std::shared_ptr<const FloodRecord> record() const override { return record_; }
+  std::shared_ptr<const SeamRecord> seamRecord() const override {
+    return phase_ == Phase::Done ? seamRecord_ : nullptr;
+  }
   std::span<const IterationSummary> history() const override { return history_; }
   std::size_t bestIteration() const override { return convergence_.best(); }
   StopReason stopReason() const override { return stopReason_; }
@@ -92,7 +95,7 @@ class TFlooding final : public Stepper {
     flood_->start(seeds_, offsets_, options_.lookahead, record_);
     phase_ = Phase::Flooding;
     stopReason_ = StopReason::NotStopped;
-    moves_.reset();
+    refiner_.reset();
     if (options_.onFlood) options_.onFlood({record_, iteration_, seeds_, offsets_});
   }
 
@@ -100,7 +103,7 @@ class TFlooding final : public Stepper {
   enum class Phase {
     Flooding,  ///< a flood is ready or under way
     Flooded,   ///< a round is done and judged, the next one planned
-    Refining,  ///< the best round is chosen and its borders are being cleaned up
+    Refining,  ///< the best round is chosen and its borders are being refined
     Done,
   };
 
@@ -217,7 +220,7 @@ class TFlooding final : public Stepper {
     }
   }
 
-  /// Adopts the best round and cleans up its borders.
+  /// Adopts the best round and refines its borders.
   bool finish(Progress& progress) {
     if (phase_ == Phase::Flooded) {
       const std::size_t best = convergence_.best();
@@ -229,17 +232,14 @@ class TFlooding final : public Stepper {
       finalLabel_ = bestLabel_;
       phase_ = Phase::Refining;
     }
-    if (options_.refineMoves) {
-      progress.beginPhase("Tidying borders");
-      if (!moves_) {
-        moves_ = std::make_unique<BorderMoves>(
-            *in_.mesh, *in_.gaussArea, faceGauss_, finalLabel_, seeds_,
-            BorderMoves::Options{.weight = options_.cleanUp, .eta = in_.floodGraph->eta});
-      }
-      if (!moves_->run(progress)) return false;
-      finalLabel_.assign(moves_->labels().begin(), moves_->labels().end());
-      moves_.reset();
+    if (!refiner_) {
+      refiner_ = std::make_unique<BorderRefiner>(in_, faceGauss_, finalLabel_, seeds_.size(),
+                                                 seeds_, options_.refine);
     }
+    if (!refiner_->run(progress)) return false;
+    finalLabel_.assign(refiner_->labels().begin(), refiner_->labels().end());
+    seamRecord_ = refiner_->record();
+    refiner_.reset();
     phase_ = Phase::Done;
     return true;
   }
@@ -276,7 +276,8 @@ class TFlooding final : public Stepper {
   std::vector<IterationSummary> history_;
   Convergence convergence_;
   StopReason stopReason_ = StopReason::NotStopped;
-  std::unique_ptr<BorderMoves> moves_;
+  std::unique_ptr<BorderRefiner> refiner_;
+  std::shared_ptr<const SeamRecord> seamRecord_;
 };
 
 }  // namespace

@@ -28,7 +28,9 @@ struct Parameters {
   int settle = 4;                     ///< settle: rounds without gain, seeds at rest
   std::string search = "auto";        ///< search
   std::string start = "auto";         ///< start
-  std::string refine = "moves";       ///< refine
+  std::string refine = "cuts";        ///< refine
+  double balanceWeight = 1000;        ///< balance-weight: w
+  double creaseWeight = 0.3;          ///< crease-weight
   double cleanUp = 1000;              ///< clean-up: mu
   bool cutHandles = true;             ///< cut-handles
   std::string handleSearch = "shortest";  ///< handle-search

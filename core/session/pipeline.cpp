@@ -31,6 +31,17 @@ std::string repairsText(const Mesh& mesh) {
   return text;
 }
 
+RefineOptions refineOptions(const Parameters& p) {
+  RefineOptions options;
+  options.kind = p.refine == "cuts"    ? RefineKind::Cuts
+                 : p.refine == "moves" ? RefineKind::Moves
+                                       : RefineKind::None;
+  options.balanceWeight = p.balanceWeight;
+  options.creaseWeight = p.creaseWeight;
+  options.cleanUp = p.cleanUp;
+  return options;
+}
+
 }  // namespace
 
 void Pipeline::tell(Notice::Kind kind, std::string text) const {
@@ -195,8 +206,7 @@ void Pipeline::makeStepper(std::size_t maxIterations) {
   options.patience = static_cast<std::size_t>(p.patience);
   options.detectCycles = p.detectCycles;
   options.settle = static_cast<std::size_t>(p.settle);
-  options.refineMoves = p.refine == "moves";
-  options.cleanUp = p.cleanUp;
+  options.refine = refineOptions(p);
   options.onFlood = [this](const FloodStart& start) { noteFlood(start); };
   stepper_ = findSegmenter(p.method)->make({mesh_, gauss_, graph_}, options);
   timing_.segment = 0;
@@ -349,6 +359,7 @@ void Pipeline::report(Results& results) const {
   results.history.assign(stepper_->history().begin(), stepper_->history().end());
   results.bestIteration = stepper_->bestIteration();
   results.stopReason = stepper_->stopReason();
+  results.seamRecord = stepper_->seamRecord();
 }
 
 void Pipeline::tellChartCount() {

@@ -19,6 +19,7 @@
 #include "core/model/flood_record.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
+#include "core/model/seam_record.h"
 #include "core/model/segmentation.h"
 #include "core/model/unwrap.h"
 #include "core/segment/segmenter.h"
@@ -52,6 +53,8 @@ struct Results {
   std::size_t recordIteration = 0;  ///< round that `record` belongs to
   std::vector<Index> seeds;         ///< of the round of `record`
   std::vector<double> offsets;      ///< of the round of `record`, one a seed
+  /// Steps of the seam cuts from the flooded labels to the final ones; null when there were none.
+  std::shared_ptr<const SeamRecord> seamRecord;
   std::vector<IterationSummary> history;
   std::size_t bestIteration = 0;
   StopReason stopReason = StopReason::NotStopped;

@@ -133,8 +133,8 @@ void reposition(benchmark::State& state, const std::string& name) {
 void borderMoves(benchmark::State& state, const std::string& name) {
   const Prepared& p = prepared(name);
   for (auto _ : state) {
-    BorderMoves moves(*p.in.mesh, *p.in.gaussArea, p.faceGauss, p.flooded->label, p.flooded->seeds,
-                      {.eta = p.in.floodGraph->eta});
+    BorderMoves moves(*p.in.mesh, *p.in.gaussArea, p.faceGauss, p.flooded->label,
+                      p.flooded->chartCount, p.flooded->seeds, {.eta = p.in.floodGraph->eta});
     Progress progress;
     moves.run(progress);
     benchmark::DoNotOptimize(moves.moves());

@@ -48,7 +48,8 @@ TEST_P(MovesOn, TopologyStaysAndEnergyFalls) {
   const Flooded f(test::sampleMesh(GetParam(), 6000), 9);
   const ChartStats before = measureCharts(*f.mesh, f.state);
   for (const double weight : {0.0, 1000.0, 1e5}) {
-    BorderMoves moves(*f.mesh, *f.gauss, f.face, f.state.label, f.state.seeds, {.weight = weight});
+    BorderMoves moves(*f.mesh, *f.gauss, f.face, f.state.label, f.state.chartCount, f.state.seeds,
+                      {.weight = weight});
     const double start = moves.energy();
     Progress progress;
     EXPECT_TRUE(moves.run(progress));
@@ -65,7 +66,8 @@ TEST_P(MovesOn, TopologyStaysAndEnergyFalls) {
       EXPECT_LT(stats.seamLength, before.seamLength);
     }
     // The running sums must agree with a fresh count.
-    BorderMoves fresh(*f.mesh, *f.gauss, f.face, after.label, after.seeds, {.weight = weight});
+    BorderMoves fresh(*f.mesh, *f.gauss, f.face, after.label, after.chartCount, after.seeds,
+                      {.weight = weight});
     EXPECT_NEAR(fresh.energy(), moves.energy(), 1e-6 * std::max(1.0, start));
   }
 }
@@ -73,7 +75,8 @@ TEST_P(MovesOn, TopologyStaysAndEnergyFalls) {
 TEST(BorderMoves, LargeWeightEvensOut) {
   const Flooded f(test::sampleMesh("bumps", 12000), 12);
   const auto spread = [&](double weight) {
-    BorderMoves moves(*f.mesh, *f.gauss, f.face, f.state.label, f.state.seeds, {.weight = weight});
+    BorderMoves moves(*f.mesh, *f.gauss, f.face, f.state.label, f.state.chartCount, f.state.seeds,
+                      {.weight = weight});
     Progress progress;
     moves.run(progress);
     return balanceOf(f.relabelled(moves.labels()).areas.gaussArea).stdOverMean();
@@ -83,10 +86,12 @@ TEST(BorderMoves, LargeWeightEvensOut) {
 
 TEST(BorderMoves, CancelledRunsGoOn) {
   const Flooded f(test::sampleMesh("bumps", 60000), 30);
-  BorderMoves whole(*f.mesh, *f.gauss, f.face, f.state.label, f.state.seeds, {});
+  BorderMoves whole(*f.mesh, *f.gauss, f.face, f.state.label, f.state.chartCount, f.state.seeds,
+                    {});
   Progress progress;
   whole.run(progress);
-  BorderMoves stopped(*f.mesh, *f.gauss, f.face, f.state.label, f.state.seeds, {});
+  BorderMoves stopped(*f.mesh, *f.gauss, f.face, f.state.label, f.state.chartCount, f.state.seeds,
+                      {});
   std::size_t stops = 0;
   for (bool done = false; !done; ++stops) {
     Progress once;
@@ -100,7 +105,8 @@ TEST(BorderMoves, CancelledRunsGoOn) {
 TEST(BorderMoves, WorksOnPolygons) {
   const auto mesh = test::grid(40, false);
   const Flooded f(mesh, 5);
-  BorderMoves moves(*f.mesh, *f.gauss, f.face, f.state.label, f.state.seeds, {.weight = 0});
+  BorderMoves moves(*f.mesh, *f.gauss, f.face, f.state.label, f.state.chartCount, f.state.seeds,
+                    {.weight = 0});
   const double start = moves.energy();
   Progress progress;
   moves.run(progress);

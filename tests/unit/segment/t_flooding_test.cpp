@@ -145,7 +145,7 @@ TEST(TFlooding, OneChartAFace) {
 TEST(TFlooding, BestRoundIsKept) {
   const auto in = inputsOf(test::sampleMesh("bumps", 8000));
   SegmentOptions options;
-  options.refineMoves = false;
+  options.refine.kind = RefineKind::None;
   const auto stepper = findSegmenter("t-flooding")->make(in, options);
   Progress progress;
   stepper->advance(StepUnit::Converged, 1, progress);
@@ -161,7 +161,7 @@ TEST(TFlooding, BestRoundIsKept) {
 TEST(TFlooding, LogAtTheEndIsTheKeptRounds) {
   const auto in = inputsOf(test::sampleMesh("bumps", 8000));
   SegmentOptions options;
-  options.refineMoves = false;
+  options.refine.kind = RefineKind::None;
   const auto stepper = findSegmenter("t-flooding")->make(in, options);
   Progress progress;
   stepper->advance(StepUnit::Converged, 1, progress);

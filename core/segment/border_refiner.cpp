@@ -1,0 +1,93 @@
+#include "core/segment/border_refiner.h"
+
+#include <map>
+#include <utility>
+
+#include "core/segment/balance.h"
+#include "core/segment/chart_areas.h"
+
+namespace chartflood {
+
+namespace {
+
+/// Coefficient of variation from which single faces even out what the cuts left.
+constexpr double kUneven = 0.02;
+
+/// Adds the differences between two sets of labels, pair by pair of charts.
+void addDifference(SeamRecord& record, std::span<const Index> before,
+                   std::span<const Index> after) {
+  std::map<std::pair<Index, Index>, std::pair<std::vector<Index>, std::vector<Index>>> moved;
+  for (Index f = 0; f < before.size(); ++f) {
+    const Index from = before[f], to = after[f];
+    if (from < to) moved[{from, to}].first.push_back(f);
+    if (to < from) moved[{to, from}].second.push_back(f);
+  }
+  for (const auto& [pair, faces] : moved) {
+    SeamStep step{pair.first, pair.second, record.faces.size(), 0, 0};
+    record.faces.insert(record.faces.end(), faces.first.begin(), faces.first.end());
+    step.toA = record.faces.size();
+    record.faces.insert(record.faces.end(), faces.second.begin(), faces.second.end());
+    step.end = record.faces.size();
+    record.steps.push_back(step);
+  }
+}
+
+}  // namespace
+
+BorderRefiner::BorderRefiner(const SegmentInputs& inputs, std::span<const double> faceGauss,
+                             std::vector<Index> label, std::size_t charts, std::vector<Index> seeds,
+                             const RefineOptions& options)
+    : in_(inputs), faceGauss_(faceGauss), options_(options), label_(std::move(label)),
+      charts_(charts), seeds_(std::move(seeds)) {
+  if (options_.kind == RefineKind::Cuts) {
+    SeamCuts::Options cuts;
+    cuts.weight = options_.balanceWeight;
+    cuts.creaseWeight = options_.creaseWeight;
+    cuts.eta = in_.floodGraph->eta;
+    cuts.oneSided = options_.oneSided;
+    cuts_ = std::make_unique<SeamCuts>(*in_.mesh, *in_.gaussArea, faceGauss_, label_, charts_,
+                                       seeds_, cuts);
+  } else if (options_.kind == RefineKind::Moves) {
+    beginMoves();
+  }
+}
+
+bool BorderRefiner::balanced() const {
+  const ChartAreas areas = chartAreas(*in_.mesh, *in_.gaussArea, faceGauss_, label_, charts_);
+  return balanceOf(areas.gaussArea).stdOverMean() <= kUneven;
+}
+
+void BorderRefiner::beginMoves() {
+  moves_ = std::make_unique<BorderMoves>(
+      *in_.mesh, *in_.gaussArea, faceGauss_, label_, charts_, seeds_,
+      BorderMoves::Options{.weight = options_.cleanUp, .eta = in_.floodGraph->eta});
+}
+
+bool BorderRefiner::run(Progress& progress) {
+  if (done_) return true;
+  if (cuts_ && !moves_) {
+    progress.beginPhase("Shortening seams");
+    if (!cuts_->run(progress)) return false;
+    label_.assign(cuts_->labels().begin(), cuts_->labels().end());
+    // One-sided balance lets charts be as small as their creases make them.
+    if (!options_.oneSided && options_.balanceWeight > 0 && !balanced()) beginMoves();
+  }
+  if (moves_) {
+    progress.beginPhase("Tidying borders");
+    if (!moves_->run(progress)) return false;
+    label_.assign(moves_->labels().begin(), moves_->labels().end());
+  }
+  if (cuts_) finishRecord();
+  cuts_.reset();
+  moves_.reset();
+  done_ = true;
+  return true;
+}
+
+void BorderRefiner::finishRecord() {
+  auto record = std::make_shared<SeamRecord>(cuts_->record());
+  addDifference(*record, cuts_->labels(), label_);
+  record_ = std::move(record);
+}
+
+}  // namespace chartflood

@@ -1,0 +1,93 @@
+#include "core/segment/face_clusters.h"
+
+#include <utility>
+
+namespace chartflood {
+
+namespace {
+
+/// Calls `visit(g)` for each face g across a side of f.
+template <class Visit>
+void forNeighbours(const Mesh& mesh, Index f, const Visit& visit) {
+  const auto opposite = mesh.opposite();
+  for (Index s = 3 * mesh.triangleBegin(f); s < 3 * mesh.triangleBegin(f + 1); ++s) {
+    if (opposite[s] == kNone) continue;
+    const Index g = mesh.faceOf(opposite[s] / 3);
+    if (g != f) visit(g);
+  }
+}
+
+/// Gives the cluster of each face in the queue to its unclustered neighbours in the same chart.
+void spread(const Mesh& mesh, std::span<const Index> label, std::vector<Index>& cluster,
+            std::vector<Index>& queue) {
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const Index f = queue[i];
+    forNeighbours(mesh, f, [&](Index g) {
+      if (cluster[g] != kNone || label[g] != label[f]) return;
+      cluster[g] = cluster[f];
+      queue.push_back(g);
+    });
+  }
+  queue.clear();
+}
+
+}  // namespace
+
+FaceClusters clusterFaces(const Mesh& mesh, std::span<const Index> label, std::size_t size) {
+  FaceClusters clusters;
+  const Index faces = static_cast<Index>(mesh.faceCount());
+  clusters.ofFace.assign(faces, kNone);
+  std::vector<Index> queue;
+  queue.reserve(faces);
+  for (std::size_t f = 0; f < faces; f += size) {
+    clusters.ofFace[f] = static_cast<Index>(clusters.count++);
+    queue.push_back(static_cast<Index>(f));
+  }
+  spread(mesh, label, clusters.ofFace, queue);
+  // Parts of charts without a start are clusters of their own.
+  for (Index f = 0; f < faces; ++f) {
+    if (clusters.ofFace[f] != kNone) continue;
+    clusters.ofFace[f] = static_cast<Index>(clusters.count++);
+    queue.push_back(f);
+    spread(mesh, label, clusters.ofFace, queue);
+  }
+  clusters.firstFixed = clusters.count;
+  return clusters;
+}
+
+FaceClusters clusterNearSeams(const Mesh& mesh, std::span<const Index> label, std::size_t rings) {
+  FaceClusters clusters;
+  const Index faces = static_cast<Index>(mesh.faceCount());
+  std::vector<Index> ring(faces, kNone), queue;
+  for (Index f = 0; f < faces; ++f) {
+    forNeighbours(mesh, f, [&](Index g) {
+      if (label[g] == label[f] || ring[f] == 0) return;
+      ring[f] = 0;
+      queue.push_back(f);
+    });
+  }
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const Index f = queue[i];
+    if (ring[f] == rings) break;
+    forNeighbours(mesh, f, [&](Index g) {
+      if (ring[g] != kNone) return;
+      ring[g] = ring[f] + 1;
+      queue.push_back(g);
+    });
+  }
+  clusters.ofFace.assign(faces, kNone);
+  for (Index f = 0; f < faces; ++f) {
+    if (ring[f] != kNone) clusters.ofFace[f] = static_cast<Index>(clusters.count++);
+  }
+  clusters.firstFixed = clusters.count;
+  queue.clear();
+  for (Index f = 0; f < faces; ++f) {
+    if (clusters.ofFace[f] != kNone) continue;
+    clusters.ofFace[f] = static_cast<Index>(clusters.count++);
+    queue.push_back(f);
+    spread(mesh, label, clusters.ofFace, queue);
+  }
+  return clusters;
+}
+
+}  // namespace chartflood

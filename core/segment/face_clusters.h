@@ -1,0 +1,29 @@
+#pragma once
+/// Clusters of neighbouring faces inside charts: the coarse graphs of the seam cuts.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/base/index.h"
+#include "core/model/mesh.h"
+
+namespace chartflood {
+
+/// Which cluster each face is in. Clusters are connected, hold faces of one chart only, and are
+/// numbered without gaps.
+struct FaceClusters {
+  std::vector<Index> ofFace;
+  std::size_t count = 0;
+  std::size_t firstFixed = 0;  ///< clusters from here on lie far from all seams
+};
+
+/// Every `size`-th face starts a cluster, and one breadth-first search inside the charts shares out
+/// the rest. With size 1 every face is a cluster. Cost: linear.
+FaceClusters clusterFaces(const Mesh& mesh, std::span<const Index> label, std::size_t size);
+
+/// Faces up to `rings` steps from a seam are clusters of their own; each connected rest of a chart
+/// is one big cluster. Cost: linear.
+FaceClusters clusterNearSeams(const Mesh& mesh, std::span<const Index> label, std::size_t rings);
+
+}  // namespace chartflood

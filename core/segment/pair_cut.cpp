@@ -1,0 +1,376 @@
+#include "core/segment/pair_cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace chartflood {
+
+namespace {
+
+constexpr std::size_t kPrices = 7;
+constexpr double kFine = 1e9;   // whole numbers a unit of energy
+constexpr double kMost = 1e15;  // of one amount: sums stay below the largest number
+constexpr double kGain = 1e-9;  // least fall of energy that counts
+constexpr double kNoDistance = std::numeric_limits<double>::infinity();
+
+MaxFlow::Amount amountOf(double energy) {
+  return static_cast<MaxFlow::Amount>(std::llround(std::clamp(energy * kFine, -kMost, kMost)));
+}
+
+int defect(int euler) { return std::max(0, 1 - euler); }
+
+}  // namespace
+
+void measureSeamCharts(SeamState& state, std::size_t charts) {
+  const SeamLevel& level = *state.level;
+  state.charts.resize(charts);
+  for (SeamChart& chart : state.charts) {
+    chart.value = chart.area = 0;
+    chart.euler = 0;
+    chart.nodes.clear();
+  }
+  for (Index i = 0; i < level.nodeCount(); ++i) {
+    SeamChart& chart = state.charts[state.label[i]];
+    chart.nodes.push_back(i);
+    chart.value += level.value[i];
+    chart.area += level.area[i];
+    chart.euler += level.euler[i];
+    for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
+      if (level.arcHead[arc] < i || state.label[level.arcHead[arc]] != state.label[i]) continue;
+      chart.value += level.arcValue[arc];
+      chart.euler += level.arcEuler[arc];
+    }
+  }
+  for (Index c = 0; c < level.cornerCount(); ++c) {
+    const Index first = state.label[level.cornerNode[level.cornerNodeBegin[c]]];
+    bool one = true;
+    for (Index k = level.cornerNodeBegin[c]; k < level.cornerNodeBegin[c + 1] && one; ++k) {
+      one = state.label[level.cornerNode[k]] == first;
+    }
+    if (!one) continue;
+    state.charts[first].value += level.cornerValue[c];
+    ++state.charts[first].euler;
+  }
+}
+
+bool PairCut::run(SeamState& state, const SeamBalance& balance, Index a, Index b) {
+  state_ = &state;
+  balance_ = &balance;
+  a_ = a;
+  b_ = b;
+  candidateCount_ = 0;
+  if (candidates_.empty()) candidates_.resize(kPrices);
+  const bool found = findBand();
+  bool better = false;
+  if (found) {
+    prepareNodes();
+    tryPrices();
+    better = choose();
+  }
+  release();
+  return better;
+}
+
+/// The nodes of both charts within the band's width of their common seam, over distances between
+/// centres. False when there is no common seam or nothing that may move.
+bool PairCut::findBand() {
+  SeamState& s = *state_;
+  const SeamLevel& level = *s.level;
+  heap_.clear();
+  for (const Index chart : {a_, b_}) {
+    const Index other = chart == a_ ? b_ : a_;
+    for (const Index i : s.charts[chart].nodes) {
+      s.distance[i] = kNoDistance;
+      for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
+        if (s.label[level.arcHead[arc]] != other) continue;
+        s.distance[i] = 0;
+        heap_.emplace_back(0.0, i);
+        break;
+      }
+    }
+  }
+  if (heap_.empty()) return false;
+  const auto later = std::greater<std::pair<double, Index>>();
+  std::make_heap(heap_.begin(), heap_.end(), later);
+  while (!heap_.empty()) {
+    std::pop_heap(heap_.begin(), heap_.end(), later);
+    const auto [distance, i] = heap_.back();
+    heap_.pop_back();
+    if (distance > s.distance[i] || level.fixed[i]) continue;
+    for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
+      const Index j = level.arcHead[arc];
+      if (s.label[j] != s.label[i] || level.fixed[j]) continue;
+      const double to = distance + glm::length(level.center[i] - level.center[j]);
+      if (to > s.band || to >= s.distance[j]) continue;
+      s.distance[j] = to;
+      heap_.emplace_back(to, j);
+      std::push_heap(heap_.begin(), heap_.end(), later);
+    }
+  }
+  band_.clear();
+  for (const Index chart : {a_, b_}) {
+    for (const Index i : s.charts[chart].nodes) {
+      if (s.distance[i] == kNoDistance || level.fixed[i]) continue;
+      s.local[i] = static_cast<Index>(band_.size());
+      band_.push_back(i);
+    }
+  }
+  return !band_.empty();
+}
+
+void PairCut::prepareNodes() {
+  const SeamState& s = *state_;
+  const SeamLevel& level = *s.level;
+  start_.resize(band_.size());
+  priced_.resize(band_.size());
+  for (std::size_t v = 0; v < band_.size(); ++v) {
+    const Index i = band_[v];
+    start_[v] = s.label[i] == a_;
+    double value = level.value[i];
+    for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
+      const Index chart = s.label[level.arcHead[arc]];
+      if (chart == a_ || chart == b_) value += level.arcValue[arc] / 2;
+    }
+    priced_[v] = value;
+  }
+  inA_ = start_;
+  now_ = {0, s.charts[a_], s.charts[b_], 0};
+}
+
+/// The graph of the open nodes; what surrounds them pulls at their terminals.
+void PairCut::buildGraph(double price) {
+  SeamState& s = *state_;
+  const SeamLevel& level = *s.level;
+  numberInGraph_.assign(band_.size(), kNone);
+  for (std::size_t v = 0; v < open_.size(); ++v) numberInGraph_[open_[v]] = static_cast<Index>(v);
+  flow_.reset(open_.size());
+  paid_.assign(open_.size(), 0);
+  for (Index v = 0; v < open_.size(); ++v) {
+    flow_.beginNode();
+    const Index i = band_[open_[v]];
+    for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
+      const Index j = level.arcHead[arc];
+      if (s.label[j] != a_ && s.label[j] != b_) continue;
+      const MaxFlow::Amount length = amountOf(level.arcLength[arc] * s.unit);
+      const Index to = s.local[j] == kNone ? kNone : numberInGraph_[s.local[j]];
+      if (to == kNone) {
+        flow_.addTerminal(v, isInA(j, inA_) ? length : -length);
+        continue;
+      }
+      s.localArc[arc] = flow_.addArc(to, length);
+      if (to > v) continue;
+      flow_.setReverse(s.localArc[arc], s.localArc[level.arcTwin[arc]]);
+      flow_.setReverse(s.localArc[level.arcTwin[arc]], s.localArc[arc]);
+    }
+  }
+  flow_.endNodes();
+  setPrice(price);
+}
+
+void PairCut::setPrice(double price) {
+  for (Index v = 0; v < open_.size(); ++v) {
+    const MaxFlow::Amount paid = amountOf(-price * priced_[open_[v]]);
+    flow_.addTerminal(v, paid - paid_[v]);
+    paid_[v] = paid;
+  }
+}
+
+/// Moves the open nodes to the sides of the minimum cut.
+void PairCut::solve() {
+  flow_.solve();
+  for (Index v = 0; v < open_.size(); ++v) {
+    if (flow_.onSourceSide(v) != (inA_[open_[v]] != 0)) flip(open_[v]);
+  }
+}
+
+bool PairCut::isInA(Index node, std::span<const std::uint8_t> inA) const {
+  const Index v = state_->local[node];
+  return v == kNone ? state_->label[node] == a_ : inA[v] != 0;
+}
+
+/// Gives a node to the other chart and keeps the sums exact.
+void PairCut::flip(Index bandNode) {
+  const SeamState& s = *state_;
+  const SeamLevel& level = *s.level;
+  const Index i = band_[bandNode];
+  const bool wasA = inA_[bandNode] != 0;
+  SeamSums& from = wasA ? now_.a : now_.b;
+  SeamSums& to = wasA ? now_.b : now_.a;
+  from.value -= level.value[i];
+  from.area -= level.area[i];
+  from.euler -= level.euler[i];
+  to.value += level.value[i];
+  to.area += level.area[i];
+  to.euler += level.euler[i];
+  for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
+    const Index j = level.arcHead[arc];
+    if (s.label[j] != a_ && s.label[j] != b_) continue;
+    const bool leaves = isInA(j, inA_) == wasA;
+    now_.length += leaves ? level.arcLength[arc] : -level.arcLength[arc];
+    SeamSums& chart = leaves ? from : to;
+    chart.value += leaves ? -level.arcValue[arc] : level.arcValue[arc];
+    chart.euler += leaves ? -level.arcEuler[arc] : level.arcEuler[arc];
+  }
+  for (Index k = level.cornerBegin[i]; k < level.cornerBegin[i + 1]; ++k) {
+    const Index corner = level.nodeCorner[k];
+    bool inFrom = true, inTo = true;
+    for (Index n = level.cornerNodeBegin[corner]; n < level.cornerNodeBegin[corner + 1]; ++n) {
+      const Index j = level.cornerNode[n];
+      if (j == i) continue;
+      const bool pair = s.label[j] == a_ || s.label[j] == b_;
+      const bool withOld = pair && isInA(j, inA_) == wasA;
+      inFrom = inFrom && withOld;
+      inTo = inTo && pair && !withOld;
+      if (!inFrom && !inTo) break;
+    }
+    if (inFrom) {
+      from.value -= level.cornerValue[corner];
+      --from.euler;
+    } else if (inTo) {
+      to.value += level.cornerValue[corner];
+      ++to.euler;
+    }
+  }
+  inA_[bandNode] = wasA ? 0 : 1;
+}
+
+/// Keeps the present sides as a candidate.
+void PairCut::judge() {
+  SeamBalance after = *balance_;
+  after.remove(state_->charts[a_].value);
+  after.remove(state_->charts[b_].value);
+  after.add(now_.a.value);
+  after.add(now_.b.value);
+  now_.energy = now_.length * state_->unit + after.energy() - balance_->energy();
+  Candidate& candidate = candidates_[candidateCount_++];
+  candidate.figures = now_;
+  candidate.inA = inA_;
+}
+
+/// Chart a shrinks as its price rises, so nodes on the same side at a lower and at a higher price
+/// are decided for all prices between; one of the two is the present cut. True when some are open.
+bool PairCut::narrow(const Candidate& low, const Candidate& high) {
+  open_.clear();
+  for (Index v = 0; v < band_.size(); ++v) {
+    if (low.inA[v] != high.inA[v]) open_.push_back(v);
+  }
+  return !open_.empty();
+}
+
+/// Minimum cuts at several prices, closing in on the one that the resulting balance asks for.
+void PairCut::tryPrices() {
+  open_.resize(band_.size());
+  for (Index v = 0; v < band_.size(); ++v) open_[v] = v;
+  double price = balance_->price(now_.a.value, now_.b.value);
+  buildGraph(price);
+  std::size_t low = kNone, high = kNone;  // candidates at the ends of the bracket
+  double lowPrice = 0, highPrice = 0;
+  for (std::size_t i = 0; i < kPrices; ++i) {
+    solve();
+    judge();
+    SeamBalance after = *balance_;
+    after.sum += now_.a.value + now_.b.value - state_->charts[a_].value - state_->charts[b_].value;
+    const double asked = after.price(now_.a.value, now_.b.value);
+    if (i + 1 == kPrices || std::abs(asked - price) <= 1e-12 * std::abs(price)) return;
+    if (asked > price) {
+      low = i;
+      lowPrice = price;
+    } else {
+      high = i;
+      highPrice = price;
+    }
+    if (low == kNone || high == kNone) {
+      price = (price + asked) / 2;
+      setPrice(price);
+      continue;
+    }
+    price = (lowPrice + highPrice) / 2;
+    if (!narrow(candidates_[low], candidates_[high])) return;
+    buildGraph(price);
+  }
+}
+
+/// The best candidate that keeps the charts whole; true when there is one.
+bool PairCut::choose() {
+  for (;;) {
+    Candidate* best = nullptr;
+    for (std::size_t i = 0; i < candidateCount_; ++i) {
+      Candidate& candidate = candidates_[i];
+      if (!(candidate.figures.energy < -kGain) || !allowed(candidate.figures)) continue;
+      if (best == nullptr || candidate.figures.energy < best->figures.energy) best = &candidate;
+    }
+    if (best == nullptr) return false;
+    if (!staysWhole(best->inA)) {
+      best->figures.energy = 0;  // out of the contest
+      continue;
+    }
+    best_ = best->figures;
+    toA_.clear();
+    toB_.clear();
+    for (std::size_t v = 0; v < band_.size(); ++v) {
+      if (best->inA[v] != start_[v]) (start_[v] ? toB_ : toA_).push_back(band_[v]);
+    }
+    return true;
+  }
+}
+
+/// True when neither chart vanishes or falls into more pieces than before.
+bool PairCut::staysWhole(std::span<const std::uint8_t> inA) {
+  for (const bool ofA : {true, false}) {
+    const std::size_t after = pieces(inA, ofA);
+    if (after == 0 || (after > 1 && after > pieces(start_, ofA))) return false;
+  }
+  return true;
+}
+
+bool PairCut::allowed(const Figures& after) const {
+  const SeamChart& a = state_->charts[a_];
+  const SeamChart& b = state_->charts[b_];
+  return defect(after.a.euler) + defect(after.b.euler) <= defect(a.euler) + defect(b.euler) &&
+         after.a.area >= std::min(state_->leastArea, a.area) &&
+         after.b.area >= std::min(state_->leastArea, b.area);
+}
+
+/// Connected parts of chart a (or b) with the band's nodes on the given sides.
+std::size_t PairCut::pieces(std::span<const std::uint8_t> inA, bool ofA) {
+  SeamState& s = *state_;
+  const SeamLevel& level = *s.level;
+  std::size_t count = 0;
+  const auto belongs = [&](Index i) {
+    return (s.label[i] == a_ || s.label[i] == b_) && isInA(i, inA) == ofA;
+  };
+  for (const Index chart : {a_, b_}) {
+    for (const Index start : s.charts[chart].nodes) {
+      if (s.seen[start] || !belongs(start)) continue;
+      ++count;
+      queue_.assign(1, start);
+      s.seen[start] = 1;
+      while (!queue_.empty()) {
+        const Index i = queue_.back();
+        queue_.pop_back();
+        for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
+          const Index j = level.arcHead[arc];
+          if (!belongs(j) || s.seen[j]) continue;
+          s.seen[j] = 1;
+          queue_.push_back(j);
+        }
+      }
+    }
+  }
+  for (const Index chart : {a_, b_}) {
+    for (const Index i : s.charts[chart].nodes) s.seen[i] = 0;
+  }
+  return count;
+}
+
+/// Leaves the scratch entries as the next pair expects them.
+void PairCut::release() {
+  for (const Index i : band_) state_->local[i] = kNone;
+  band_.clear();
+}
+
+}  // namespace chartflood

@@ -1,0 +1,106 @@
+#pragma once
+/// The shortest seam between two neighbouring charts within a band around the present one, with
+/// Gauss area at a price that keeps the charts equal.
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/index.h"
+#include "core/segment/max_flow.h"
+#include "core/segment/seam_balance.h"
+#include "core/segment/seam_level.h"
+
+namespace chartflood {
+
+/// Sums over a chart.
+struct SeamSums {
+  double value = 0;  ///< B: Gauss area plus eta times area, steradians
+  double area = 0;   ///< squared normalised units
+  int euler = 0;
+};
+
+/// What is known of a chart while seams move.
+struct SeamChart : SeamSums {
+  std::vector<Index> nodes;  ///< ascending
+};
+
+/// Charts over the nodes of a level. The scratch arrays have one entry a node (arc); pairs without
+/// a common chart use different entries, so that they may be cut at the same time.
+struct SeamState {
+  const SeamLevel* level = nullptr;
+  std::vector<Index> label;  ///< chart of each node
+  std::vector<SeamChart> charts;
+  std::vector<Index> local, localArc;  ///< number in the pair's band
+  std::vector<double> distance;        ///< from the pair's seam
+  std::vector<std::uint8_t> seen;
+  double band = 0;       ///< width, normalised units
+  double unit = 1;       ///< energy of a normalised unit of length
+  double leastArea = 0;  ///< charts are not made smaller than this
+};
+
+/// Sums of every chart from its nodes. \pre label and level are set
+void measureSeamCharts(SeamState& state, std::size_t charts);
+
+/// One pair at a time; storage is kept.
+class PairCut {
+ public:
+  /// Looks for a better seam between charts a and b. Reads the state and writes only scratch
+  /// entries of the two charts' nodes. True when one was found that lowers the energy.
+  bool run(SeamState& state, const SeamBalance& balance, Index a, Index b);
+
+  /// What the best seam changes.
+  double lengthChange() const { return best_.length; }
+  const SeamSums& chartA() const { return best_.a; }
+  const SeamSums& chartB() const { return best_.b; }
+  std::span<const Index> toA() const { return toA_; }  ///< nodes that change chart
+  std::span<const Index> toB() const { return toB_; }
+
+ private:
+  struct Figures {
+    double length = 0;  ///< change of seam length, normalised units
+    SeamSums a, b;
+    double energy = 0;  ///< change
+  };
+  struct Candidate {
+    Figures figures;
+    std::vector<std::uint8_t> inA;
+  };
+
+  bool findBand();
+  void prepareNodes();
+  void buildGraph(double price);
+  void setPrice(double price);
+  void solve();
+  void flip(Index bandNode);
+  void judge();
+  bool narrow(const Candidate& low, const Candidate& high);
+  void tryPrices();
+  bool choose();
+  bool allowed(const Figures& after) const;
+  bool staysWhole(std::span<const std::uint8_t> inA);
+  std::size_t pieces(std::span<const std::uint8_t> inA, bool ofA);
+  bool isInA(Index node, std::span<const std::uint8_t> inA) const;
+  void release();
+
+  SeamState* state_ = nullptr;
+  const SeamBalance* balance_ = nullptr;
+  Index a_ = 0, b_ = 0;
+  MaxFlow flow_;
+  std::vector<Index> band_;                ///< nodes that may change chart
+  std::vector<std::uint8_t> start_, inA_;  ///< of each band node
+  std::vector<double> priced_;             ///< what of each band node's value is paid for
+  std::vector<Index> open_;                ///< band nodes of the present graph
+  std::vector<Index> numberInGraph_;       ///< of each band node, kNone for decided ones
+  std::vector<MaxFlow::Amount> paid_;      ///< terminal of each node by the present price
+  std::vector<std::pair<double, Index>> heap_;
+  std::vector<Index> queue_;
+  Figures now_;
+  std::vector<Candidate> candidates_;
+  std::size_t candidateCount_ = 0;
+  Figures best_;
+  std::vector<Index> toA_, toB_;
+};
+
+}  // namespace chartflood

@@ -1,0 +1,60 @@
+#pragma once
+/// Short seams between charts of equal Gauss area: minimum cuts between two neighbouring charts at
+/// a time, annealed from little to full weight of balance, from clusters of faces to single ones.
+/// Beyond the paper, whose floods leave seams in stairs.
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/model/gauss_area.h"
+#include "core/model/mesh.h"
+#include "core/model/seam_record.h"
+
+namespace chartflood {
+
+/// Lowers the energy
+///
+///   seam length (sharp edges times a factor) / sqrt(area) + w * mean_i ((B_i - mean) / mean)^2,
+///   B_i = A(i) + eta * area(i),
+///
+/// or with the one-sided balance of SeamBalance. Every chart stays in one piece and keeps at least
+/// a tenth of the mean area (or what it had), and the sum of max(0, 1 - Euler number) over the two
+/// charts of a cut never grows. Pairs of charts are cut in ascending order, those without a common
+/// chart in fixed batches on all threads, so the result does not depend on their number.
+class SeamCuts {
+ public:
+  struct Options {
+    double weight = 1000;       ///< w: how much balance counts against short seams
+    double creaseWeight = 0.3;  ///< length of a sharp edge against a smooth one's
+    double band = 0.15;         ///< width of the band around seams, in mean chart sizes
+    double eta = 0;             ///< steradians a squared normalised unit of surface counts as
+    bool oneSided = false;      ///< only charts above their share of the whole cost
+    bool clusters = true;       ///< begin on clusters of faces; false: on single faces throughout
+    bool anneal = true;         ///< false: the last two stages only, at full weight
+  };
+
+  /// \param fixed faces that keep their chart, for example seeds
+  SeamCuts(const Mesh& mesh, const GaussArea& gauss, std::span<const double> faceGauss,
+           std::vector<Index> label, std::size_t charts, std::span<const Index> fixed,
+           const Options& options);
+  ~SeamCuts();
+
+  /// Cuts until all stages are done or `progress` is cancelled; true when nothing is left to do.
+  /// A cancelled run goes on where it stopped.
+  bool run(Progress& progress);
+
+  std::span<const Index> labels() const;
+  /// The energy above, of the present labels.
+  double energy() const;
+  /// What was done so far.
+  const SeamRecord& record() const;
+
+ private:
+  class Engine;
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace chartflood
