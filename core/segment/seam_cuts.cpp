@@ -116,8 +116,8 @@ class SeamCuts::Engine {
       if (!inSweep_) beginSweep();
       inSweep_ = true;
       while (!pairs_.empty()) {
-        if (progress.cancelled()) return false;
         cutBatch();
+        if (progress.cancelled()) return false;
       }
       inSweep_ = false;
       ++sweep_;

@@ -22,6 +22,7 @@
 #include "core/model/build_mesh.h"
 #include "core/segment/border_moves.h"
 #include "core/segment/registry.h"
+#include "core/segment/seam_cuts.h"
 #include "core/segment/seeds.h"
 
 namespace chartflood {
@@ -142,6 +143,20 @@ void borderMoves(benchmark::State& state, const std::string& name) {
   perFace(state, p);
 }
 
+void seamCuts(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  double energy = 0;
+  for (auto _ : state) {
+    SeamCuts cuts(*p.in.mesh, *p.in.gaussArea, p.faceGauss, p.flooded->label, p.flooded->chartCount,
+                  p.flooded->seeds, {.eta = p.in.floodGraph->eta});
+    Progress progress;
+    cuts.run(progress);
+    energy = cuts.energy();
+  }
+  perFace(state, p);
+  state.counters["energy"] = energy;
+}
+
 void chartFigures(benchmark::State& state, const std::string& name) {
   const Prepared& p = prepared(name);
   for (auto _ : state) benchmark::DoNotOptimize(measureCharts(*p.in.mesh, *p.flooded));
@@ -165,10 +180,16 @@ void wholeSegmentation(benchmark::State& state, const std::string& name) {
 
 void registerAll(const std::string& mesh) {
   using Stage = void (*)(benchmark::State&, const std::string&);
-  const std::pair<const char*, Stage> stages[] = {
-      {"glue", glue},         {"gauss_area", gaussArea}, {"flood_graph", floodGraph},
-      {"seeds", seeds},       {"flood", oneFlood},       {"reposition", reposition},
-      {"moves", borderMoves}, {"figures", chartFigures}, {"segment", wholeSegmentation}};
+  const std::pair<const char*, Stage> stages[] = {{"glue", glue},
+                                                  {"gauss_area", gaussArea},
+                                                  {"flood_graph", floodGraph},
+                                                  {"seeds", seeds},
+                                                  {"flood", oneFlood},
+                                                  {"reposition", reposition},
+                                                  {"moves", borderMoves},
+                                                  {"cuts", seamCuts},
+                                                  {"figures", chartFigures},
+                                                  {"segment", wholeSegmentation}};
   for (const auto& [name, stage] : stages) {
     benchmark::RegisterBenchmark((std::string(name) + "/" + mesh).c_str(),
                                  [stage = stage, mesh](benchmark::State& s) { stage(s, mesh); })

@@ -161,13 +161,13 @@ TEST_P(SessionWith, CleanUpSliderTidiesAgain) {
   const auto raw = session_.results();
   EXPECT_FALSE(raw->segmentation->refined);
   EXPECT_GT(raw->chartStats->seamLength, run->chartStats->seamLength);
-  set([](Document& d) { d.parameters.refine = "moves"; });
+  set([](Document& d) { d.parameters.refine = "cuts"; });
   EXPECT_EQ(session_.results()->segmentation->label, run->segmentation->label);
 }
 
 TEST_P(SessionWith, GoesOnFromFinishedCharts) {
   openSample("bumps", 5000);
-  for (const char* refine : {"moves", "none"}) {
+  for (const char* refine : {"cuts", "moves", "none"}) {
     Document document = session_.document();
     document.parameters.refine = refine;
     session_.setDocument(document, false);

@@ -78,6 +78,8 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
   EXPECT_NE(changed.start, defaults.start);
   EXPECT_NE(changed.refine, defaults.refine);
   EXPECT_NE(changed.cleanUp, defaults.cleanUp);
+  EXPECT_NE(changed.balanceWeight, defaults.balanceWeight);
+  EXPECT_NE(changed.creaseWeight, defaults.creaseWeight);
 }
 
 TEST(ParameterTable, RowsAreCompleteAndDefaultsAllowed) {

@@ -1,0 +1,246 @@
+// Minimum cuts between charts: core/segment/max_flow, pair_cut, seam_cuts.
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/base/parallel.h"
+#include "core/base/rng.h"
+#include "core/charts/chart_stats.h"
+#include "core/flood/build_flood_graph.h"
+#include "core/gauss/compute_gauss_area.h"
+#include "core/segment/balance.h"
+#include "core/segment/chart_areas.h"
+#include "core/segment/face_clusters.h"
+#include "core/segment/max_flow.h"
+#include "core/segment/registry.h"
+#include "core/segment/seam_cuts.h"
+#include "tests/support/segmentation_checks.h"
+#include "tests/support/test_meshes.h"
+
+namespace chartflood {
+namespace {
+
+/// A dense random graph of few nodes, whose cuts can all be tried.
+struct SmallGraph {
+  static constexpr Index kNodes = 9;
+  MaxFlow::Amount length[kNodes][kNodes] = {};
+  MaxFlow::Amount terminal[kNodes] = {};
+
+  explicit SmallGraph(std::uint32_t seed) {
+    Rng rng(seed);
+    for (Index i = 0; i < kNodes; ++i) {
+      terminal[i] = static_cast<MaxFlow::Amount>(rng.below(200)) - 100;
+      for (Index j = 0; j < i; ++j) length[i][j] = length[j][i] = rng.below(3) ? rng.below(60) : 0;
+    }
+  }
+  /// What the cut with these nodes on the source's side costs.
+  MaxFlow::Amount cost(unsigned source, MaxFlow::Amount shift) const {
+    MaxFlow::Amount sum = 0;
+    for (Index i = 0; i < kNodes; ++i) {
+      const bool in = (source >> i & 1) != 0;
+      const MaxFlow::Amount tie = terminal[i] + shift;
+      if (in != (tie > 0)) sum += std::abs(tie);
+      for (Index j = 0; j < i; ++j) sum += in != ((source >> j & 1) != 0) ? length[i][j] : 0;
+    }
+    return sum;
+  }
+  MaxFlow::Amount least(MaxFlow::Amount shift) const {
+    MaxFlow::Amount best = std::numeric_limits<MaxFlow::Amount>::max();
+    for (unsigned set = 0; set < 1u << kNodes; ++set) best = std::min(best, cost(set, shift));
+    return best;
+  }
+};
+
+TEST(MaxFlow, FindsTheLeastOfAllCutsAndGoesOnFromOneToTheNext) {
+  for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+    const SmallGraph graph(seed);
+    MaxFlow flow;
+    flow.reset(SmallGraph::kNodes);
+    Index arc[SmallGraph::kNodes][SmallGraph::kNodes] = {};
+    for (Index i = 0; i < SmallGraph::kNodes; ++i) {
+      flow.beginNode();
+      for (Index j = 0; j < SmallGraph::kNodes; ++j) {
+        if (i == j) continue;
+        arc[i][j] = flow.addArc(j, graph.length[i][j]);
+        if (j > i) continue;
+        flow.setReverse(arc[i][j], arc[j][i]);
+        flow.setReverse(arc[j][i], arc[i][j]);
+      }
+      flow.addTerminal(i, graph.terminal[i]);
+    }
+    flow.endNodes();
+    MaxFlow::Amount shift = 0;
+    for (const MaxFlow::Amount change : {0, 15, 15, -50, 5}) {
+      for (Index i = 0; i < SmallGraph::kNodes; ++i) flow.addTerminal(i, change);
+      shift += change;
+      flow.solve();
+      unsigned set = 0;
+      for (Index i = 0; i < SmallGraph::kNodes; ++i) set |= flow.onSourceSide(i) ? 1u << i : 0u;
+      EXPECT_EQ(graph.cost(set, shift), graph.least(shift)) << "graph " << seed << " + " << shift;
+    }
+  }
+}
+
+struct Flooded {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const GaussArea> gauss;
+  std::vector<double> face;
+  double eta = 0;
+  Segmentation state;
+
+  Flooded(std::shared_ptr<const Mesh> m, std::size_t charts) : mesh(std::move(m)) {
+    gauss = std::make_shared<GaussArea>(computeGaussArea(*mesh, 45));
+    face = faceGaussArea(*mesh, *gauss);
+    SegmentOptions options;
+    options.charts = charts;
+    const auto graph = std::make_shared<FloodGraph>(buildFloodGraph(*mesh, *gauss, {}));
+    eta = graph->eta;
+    const auto stepper = findSegmenter("t-flooding")->make({mesh, gauss, graph}, options);
+    Progress progress;
+    stepper->advance(StepUnit::Flood, 4, progress);
+    state = *stepper->state();
+  }
+  SeamCuts cuts(SeamCuts::Options options) const {
+    options.eta = eta;
+    return {*mesh, *gauss, face, state.label, state.chartCount, state.seeds, options};
+  }
+  Segmentation relabelled(std::span<const Index> label) const {
+    Segmentation s = state;
+    s.label.assign(label.begin(), label.end());
+    s.areas = chartAreas(*mesh, *gauss, face, s.label, s.chartCount);
+    return s;
+  }
+};
+
+double defects(const ChartStats& stats) {
+  double sum = 0;
+  for (const auto& chart : stats.charts) sum += static_cast<double>(std::max(0L, 1 - chart.euler));
+  return sum;
+}
+
+class CutsOn : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Samples, CutsOn,
+                         testing::Values("rocket", "torus", "double-torus", "tube", "bumps"));
+
+TEST_P(CutsOn, EnergyFallsAndChartsStayWhole) {
+  const Flooded f(test::sampleMesh(GetParam(), 6000), 9);
+  const ChartStats before = measureCharts(*f.mesh, f.state);
+  for (const bool anneal : {true, false}) {
+    for (const bool oneSided : {false, true}) {
+      SCOPED_TRACE(testing::Message() << "anneal " << anneal << " one-sided " << oneSided);
+      SeamCuts cuts = f.cuts({.oneSided = oneSided, .anneal = anneal});
+      const double start = cuts.energy();
+      Progress progress;
+      ASSERT_TRUE(cuts.run(progress));
+      EXPECT_LT(cuts.energy(), start);
+      const Segmentation after = f.relabelled(cuts.labels());
+      test::expectValid(*f.mesh, *f.gauss, after);
+      const ChartStats stats = measureCharts(*f.mesh, after);
+      EXPECT_LE(defects(stats), defects(before));
+      EXPECT_LT(stats.seamLength, before.seamLength);
+    }
+  }
+}
+
+TEST_P(CutsOn, TheRecordPlaysForthAndBack) {
+  const Flooded f(test::sampleMesh(GetParam(), 4000), 7);
+  SeamCuts cuts = f.cuts({});
+  Progress progress;
+  cuts.run(progress);
+  const SeamRecord& record = cuts.record();
+  EXPECT_GT(record.steps.size(), 0u);
+  std::vector<Index> label = record.start;
+  EXPECT_EQ(label, f.state.label);
+  for (std::size_t i = 0; i < record.steps.size(); ++i) record.play(i, label);
+  EXPECT_TRUE(std::equal(label.begin(), label.end(), cuts.labels().begin()));
+  for (std::size_t i = record.steps.size(); i-- > 0;) record.takeBack(i, label);
+  EXPECT_EQ(label, record.start);
+}
+
+/// At full weight from the start, without annealing, no step may raise the energy.
+TEST(SeamCuts, EnergyNeverRisesAtTemperatureZero) {
+  const Flooded f(test::sampleMesh("bumps", 3000), 6);
+  SeamCuts cuts = f.cuts({.clusters = false, .anneal = false});
+  Progress progress;
+  cuts.run(progress);
+  const SeamRecord record = cuts.record();
+  std::vector<Index> label = record.start;
+  double energy = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i <= record.steps.size(); ++i) {
+    const SeamCuts now(*f.mesh, *f.gauss, f.face, label, f.state.chartCount, {}, {.eta = f.eta});
+    EXPECT_LE(now.energy(), energy + 1e-9) << "step " << i;
+    energy = now.energy();
+    if (i < record.steps.size()) record.play(i, label);
+  }
+}
+
+TEST(SeamCuts, TeethBecomeTheStraightLine) {
+  const Index n = 20;
+  const auto mesh = test::grid(n, false);
+  const GaussArea gauss = computeGaussArea(*mesh, 45);
+  const std::vector<double> face = faceGaussArea(*mesh, gauss);
+  const std::vector<glm::dvec3> center = faceCentroids(*mesh);
+  std::vector<Index> label(mesh->faceCount()), straight(mesh->faceCount());
+  std::vector<double> along, across;
+  for (const auto& c : center) along.push_back(c.x), across.push_back(c.y);
+  const auto [low, high] = std::minmax_element(along.begin(), along.end());
+  const double step = (*high - *low) / (n - 1);
+  for (Index f = 0; f < label.size(); ++f) {
+    const auto column = static_cast<int>(std::lround((along[f] - *low) / step));
+    const auto row = static_cast<int>(std::lround((across[f] - *low) / step));
+    straight[f] = column < 10 ? 0 : 1;
+    label[f] = column < (row % 2 == 0 ? 8 : 12) ? 0 : 1;
+  }
+  SeamCuts cuts(*mesh, gauss, face, label, 2, {}, {.band = 1, .eta = 1, .clusters = false});
+  Progress progress;
+  cuts.run(progress);
+  EXPECT_TRUE(std::equal(straight.begin(), straight.end(), cuts.labels().begin()));
+}
+
+TEST(SeamCuts, AnyThreadsAndCancelledRunsGiveTheSame) {
+  const Flooded f(test::sampleMesh("bumps", 20000), 24);
+  const auto labels = [&](unsigned threads, bool stop) {
+    setThreadCount(threads);
+    SeamCuts cuts = f.cuts({});
+    Progress go;
+    if (!stop) {
+      cuts.run(go);
+    } else {  // one batch at a time
+      std::size_t stops = 0;
+      for (bool done = false; !done && stops < 100000; ++stops) {
+        Progress once;
+        once.cancel();
+        done = cuts.run(once);
+      }
+      EXPECT_GT(stops, 10u);
+    }
+    setThreadCount(0);
+    return std::vector<Index>(cuts.labels().begin(), cuts.labels().end());
+  };
+  const auto alone = labels(1, false);
+  EXPECT_EQ(labels(2, false), alone);
+  EXPECT_EQ(labels(2, true), alone);
+}
+
+TEST(FaceClusters, AreConnectedPartsOfCharts) {
+  const Flooded f(test::sampleMesh("rocket", 5000), 8);
+  for (const auto& clusters :
+       {clusterFaces(*f.mesh, f.state.label, 6), clusterNearSeams(*f.mesh, f.state.label, 2)}) {
+    std::vector<Index> chart(clusters.count, kNone);
+    for (Index face = 0; face < clusters.ofFace.size(); ++face) {
+      Index& of = chart[clusters.ofFace[face]];
+      if (of == kNone) of = f.state.label[face];
+      EXPECT_EQ(of, f.state.label[face]);
+    }
+    Segmentation s = f.relabelled(clusters.ofFace);
+    s.chartCount = clusters.count;
+    s.seeds.assign(clusters.count, kNone);
+    for (Index face = 0; face < s.label.size(); ++face) s.seeds[s.label[face]] = face;
+    s.areas = chartAreas(*f.mesh, *f.gauss, f.face, s.label, s.chartCount);
+    test::expectValid(*f.mesh, *f.gauss, s);
+  }
+}
+
+}  // namespace
+}  // namespace chartflood
