@@ -64,7 +64,7 @@ TEST_P(Restore, FinishedCharts) {
   step(StepUnit::Converged);
   EXPECT_TRUE(momentOf(*session_.results()).finished);
   expectSameAfter([](Document& d) { d.parameters.speedPower = 3; });
-  expectSameAfter([](Document& d) { d.parameters.cleanUp = 10; });
+  expectSameAfter([](Document& d) { d.parameters.balanceWeight = 10; });
   expectSameAfter([](Document& d) { d.seeds = {{1}, {2}, {3}}; });
 }
 

@@ -49,7 +49,7 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
         info.member);
   }
   const Parameters defaults;
-  EXPECT_EQ(parameterTable().size(), 28u);
+  EXPECT_EQ(parameterTable().size(), 30u);
   EXPECT_NE(changed.method, defaults.method);
   EXPECT_NE(changed.charts, defaults.charts);
   EXPECT_NE(changed.sharpAngle, defaults.sharpAngle);
@@ -152,7 +152,7 @@ TEST(ParameterRefusal, NamesOptionValueAndRange) {
             "--speed-power=nan is not a finite number: give a number from 0 to 10.");
   EXPECT_EQ(refusal("offsets", "maybe"), "--offsets=maybe is neither on nor off: give on or off.");
   EXPECT_EQ(refusal("refine", "move"),
-            "--refine=move is not known (nearest: moves): give moves or none.");
+            "--refine=move is not known (nearest: moves): give cuts or moves or none.");
 }
 
 TEST(ParameterRefusal, OfEveryBadNumber) {
