@@ -14,23 +14,29 @@ namespace chartflood {
 
 namespace {
 
+constexpr float kDimmed = 0.4f;  ///< opacity of a row that says nothing with the present values
+
+/// The colour with the opacity of what is being drawn.
+ImU32 faded(ImU32 color) { return ImGui::GetColorU32(color); }
+
 void drawBar(const Ui& ui, const BarSlider& slider, const ImRect& box, bool hot, bool active) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& p = ui.theme.palette;
   const float rounding = ImGui::GetStyle().FrameRounding;
-  list.AddRectFilled(box.Min, box.Max, active || hot ? p.controlHovered : p.control, rounding);
+  list.AddRectFilled(box.Min, box.Max, faded(active || hot ? p.controlHovered : p.control),
+                     rounding);
   const float x = box.Min.x + static_cast<float>(slider.fraction) * box.GetWidth();
   if (x > box.Min.x + 1) {
     list.PushClipRect(box.Min, {x, box.Max.y}, true);
-    list.AddRectFilled(box.Min, box.Max, p.accentSoft, rounding);
+    list.AddRectFilled(box.Min, box.Max, faded(p.accentSoft), rounding);
     list.PopClipRect();
-    if (hot || active) list.AddRectFilled({x - 1, box.Min.y}, {x + 1, box.Max.y}, p.accent);
+    if (hot || active) list.AddRectFilled({x - 1, box.Min.y}, {x + 1, box.Max.y}, faded(p.accent));
   }
   if (slider.changed) ImGui::PushFont(ui.theme.strong);
   const ImVec2 size = ImGui::CalcTextSize(slider.text.c_str());
   list.AddText(
       {std::round(box.GetCenter().x - size.x / 2), std::round(box.GetCenter().y - size.y / 2)},
-      p.text, slider.text.c_str());
+      faded(p.text), slider.text.c_str());
   if (slider.changed) ImGui::PopFont();
 }
 
@@ -76,12 +82,12 @@ float drawSymbol(const Ui& ui, const std::string& symbol, ImVec2 at) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const std::size_t bar = symbol.find('_');
   const std::string head = symbol.substr(0, bar);
-  list.AddText(at, ui.theme.palette.dim, head.c_str());
+  list.AddText(at, faded(ui.theme.palette.dim), head.c_str());
   float width = ImGui::CalcTextSize(head.c_str()).x;
   if (bar == std::string::npos) return width;
   ImGui::PushFont(ui.theme.small);
   const std::string sub = symbol.substr(bar + 1);
-  list.AddText({at.x + width, at.y + ui.px(5)}, ui.theme.palette.dim, sub.c_str());
+  list.AddText({at.x + width, at.y + ui.px(5)}, faded(ui.theme.palette.dim), sub.c_str());
   width += ImGui::CalcTextSize(sub.c_str()).x;
   ImGui::PopFont();
   return width;
@@ -204,6 +210,8 @@ void parameterRow(const Ui& ui, const ParameterInfo& info) {
   const bool dice = std::string_view(info.id) == "rng-seed";
   const float side = ImGui::GetFrameHeight();
   const RowLayout row(ui, dice ? side + ui.px(4) : 0);
+  const std::string unused = whyUnused(ui.state.document().parameters, info);
+  if (!unused.empty()) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, kDimmed);
   rowLabel(ui, info, row);
   if (const bool* on = std::get_if<bool>(&value)) {
     bool flag = *on;
@@ -219,12 +227,14 @@ void parameterRow(const Ui& ui, const ParameterInfo& info) {
   const char* hint = "Ctrl+click to type a value.";
   const bool number = std::holds_alternative<int>(value) || std::holds_alternative<double>(value);
   tooltip(ui, info.id, info.label,
-          std::string(info.help) + (number ? std::string("\n") + hint : ""));
+          (unused.empty() ? "" : unused + "\n") + info.help +
+              (number ? std::string("\n") + hint : ""));
   if (dice) {
     ImGui::SameLine(0, ui.px(4));
     iconButton(ui, Icon::Dice, "roll-seed", {side, side});
   }
   if (changed) resetButton(ui, info, row);
+  if (!unused.empty()) ImGui::PopStyleVar();
 }
 
 }  // namespace chartflood

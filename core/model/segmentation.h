@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "core/base/index.h"
 #include "core/model/flood_record.h"
 
@@ -25,12 +27,14 @@ const char* stopReasonId(StopReason reason);
 
 /// One round of flooding, as kept in the history.
 struct IterationSummary {
-  std::size_t iteration = 0;    ///< from 0
-  double stdOverMean = 0;       ///< coefficient of variation of the charts' Gauss areas
-  bool balanceDefined = true;   ///< false when the mean Gauss area is below 1e-9
-  std::size_t movedSeeds = 0;   ///< seeds that differ from the round before
-  std::vector<Index> seeds;     ///< seed face of each chart in this round
-  std::vector<double> offsets;  ///< Gauss-area offset of each chart in this round, steradians
+  std::size_t iteration = 0;        ///< from 0
+  double stdOverMean = 0;           ///< coefficient of variation of the charts' Gauss areas
+  bool balanceDefined = true;       ///< false when the mean Gauss area is below 1e-9
+  std::size_t movedSeeds = 0;       ///< seeds that differ from the round before
+  std::vector<Index> seeds;         ///< seed face of each chart in this round
+  std::vector<double> offsets;      ///< Gauss-area offset of each chart in this round, steradians
+  std::vector<glm::dvec3> normals;  ///< of each chart in this round, where charts grow by normals
+  double cost = 0;  ///< what such a method lowers, in normalised units; 0 with t-flooding
 };
 
 /// Gauss area of a division, in steradians.

@@ -2,15 +2,21 @@
 
 #include <array>
 
+#include "core/segment/mcgim.h"
 #include "core/segment/t_flooding.h"
+#include "core/segment/vsa.h"
 
 namespace chartflood {
 
 std::span<const Segmenter> segmenterTable() {
-  static const std::array<Segmenter, 1> table = {{
+  static const std::array<Segmenter, 3> table = {{
       {"t-flooding", "t-flooding",
        "Yamauchi, Gumhold, Zayer, Seidel: Mesh segmentation driven by Gaussian curvature, 2005",
        makeTFlooding},
+      {"vsa", "Variational shape approximation",
+       "Cohen-Steiner, Alliez, Desbrun: Variational shape approximation, 2004", makeVsa},
+      {"mcgim", "Multi-chart geometry images",
+       "Sander, Wood, Gortler, Snyder, Hoppe: Multi-chart geometry images, 2003", makeMcgim},
   }};
   return table;
 }

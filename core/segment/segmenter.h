@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "core/base/progress.h"
 #include "core/model/flood_graph.h"
 #include "core/model/flood_record.h"
@@ -73,7 +75,29 @@ struct FloodStart {
   std::shared_ptr<const FloodRecord> record;  ///< null when none is kept
   std::size_t iteration = 0;                  ///< number of its round
   std::span<const Index> seeds;
-  std::span<const double> offsets;  ///< one a seed
+  std::span<const double> offsets;  ///< one a seed, or none
+  std::span<const glm::dvec3> normals =
+      {};  ///< of methods that grow by normals, one a seed; or none
+};
+
+/// How variational shape approximation comes to its charts.
+enum class VsaSeeding {
+  OneByOne,  ///< the worst face of the worst chart is a new seed, one flood for each
+  Doubling,  ///< the worst face of every chart is a new seed, a few floods for each doubling
+  Random,    ///< all at once at random
+};
+
+/// Of variational shape approximation.
+struct VsaOptions {
+  VsaSeeding seeding = VsaSeeding::OneByOne;
+  bool teleport = true;  ///< stuck charts are joined, the freed seed goes where it is worst
+};
+
+/// Of multi-chart geometry images.
+struct McgimOptions {
+  double lambda = 1;            ///< how much distance counts against planarity
+  bool runningNormals = false;  ///< a chart's normal follows the faces that come in
+  bool disks = false;           ///< charts refuse faces that would make them more than disks
 };
 
 /// How borders are refined once a method is done.
@@ -94,9 +118,10 @@ struct RefineOptions {
 /// What the methods can be told; each uses what it knows.
 struct SegmentOptions {
   std::size_t charts = 20;
-  std::vector<Index> seeds;     ///< first seeds, may be fewer than charts
-  std::vector<Index> locked;    ///< faces of those that stay where they are in all rounds
-  std::vector<double> offsets;  ///< of the first round, one per seed; empty: zero
+  std::vector<Index> seeds;         ///< first seeds, may be fewer than charts
+  std::vector<Index> locked;        ///< faces of those that stay where they are in all rounds
+  std::vector<double> offsets;      ///< of the first round, one per seed; empty: zero
+  std::vector<glm::dvec3> normals;  ///< of the first round, one per seed; empty: those of the faces
   std::uint32_t rngSeed = 1;
   bool useOffsets = true;
   double offsetDamping = 0.3;
@@ -106,6 +131,8 @@ struct SegmentOptions {
   bool detectCycles = true;
   std::size_t settle = 4;  ///< rounds without gain that end balancing with seeds at rest
   RefineOptions refine;
+  VsaOptions vsa;
+  McgimOptions mcgim;
   bool record = true;  ///< keep a log of the present flood
   /// Told of each flood as it begins, on the thread that drives the stepper.
   std::function<void(const FloodStart&)> onFlood;

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "core/base/index.h"
 #include "core/model/mesh.h"
 #include "core/session/parameters.h"
@@ -32,10 +34,11 @@ struct Document {
 /// Where the charts of a moment came from. With the document of that moment it is enough to make
 /// the same labels again by one flood, because floods are deterministic.
 struct FloodMoment {
-  std::vector<Index> seeds;     ///< of the present flood; empty: there are no charts
-  std::vector<double> offsets;  ///< of that flood, one a seed or none; steradians
-  std::size_t taken = 0;        ///< faces that the flood has taken
-  bool finished = false;        ///< a stop rule has fired and the borders were finished
+  std::vector<Index> seeds;         ///< of the present flood; empty: there are no charts
+  std::vector<double> offsets;      ///< of that flood, one a seed or none; steradians
+  std::size_t taken = 0;            ///< faces that the flood has taken
+  bool finished = false;            ///< a stop rule has fired and the borders were finished
+  std::vector<glm::dvec3> normals;  ///< of that flood's charts, one a seed or none
 
   bool operator==(const FloodMoment&) const = default;
 };

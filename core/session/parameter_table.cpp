@@ -58,7 +58,8 @@ std::vector<ParameterInfo> chartRows() {
        .help =
            "How strongly the flood shies away from curved spots. Low: round, even pieces. High: "
            "borders cling to creases and corners.",
-       .source = "3.3, eq. 7"},
+       .source = "3.3, eq. 7",
+       .method = "t-flooding"},
       {.id = "speed-epsilon",
        .label = "Flat-area floor",
        .symbol = "\u03b5",
@@ -74,7 +75,8 @@ std::vector<ParameterInfo> chartRows() {
        .help =
            "Keeps flat areas from being swallowed at once. Larger: pieces spread more evenly and "
            "care less about curvature. A share of the largest curvature.",
-       .source = "3.3, eq. 7"},
+       .source = "3.3, eq. 7",
+       .method = "t-flooding"},
   };
 }
 
@@ -87,7 +89,8 @@ std::vector<ParameterInfo> balanceRows() {
        .stage = Stage::Iterations,
        .group = "Balance",
        .help = "Pieces that got too much in the last round start later in the next one.",
-       .source = "3.5"},
+       .source = "3.5",
+       .method = "t-flooding"},
       {.id = "offset-damping",
        .label = "Waiting strength",
        .symbol = "\u03b2",
@@ -102,7 +105,8 @@ std::vector<ParameterInfo> balanceRows() {
        .group = "Balance",
        .help =
            "How much of the imbalance is corrected per round. Lower if the borders keep jumping.",
-       .source = "3.5"},
+       .source = "3.5",
+       .method = "t-flooding"},
       {.id = "lookahead",
        .label = "Look ahead",
        .symbol = "",
@@ -110,7 +114,8 @@ std::vector<ParameterInfo> balanceRows() {
        .stage = Stage::Flood,
        .group = "Balance",
        .help = "Looks at the next triangle before deciding whose turn it is. Smoother balance.",
-       .source = "3.3"},
+       .source = "3.3",
+       .method = "t-flooding"},
       {.id = "area-share",
        .label = "Even out flat areas",
        .symbol = "\u03b7",
@@ -124,7 +129,8 @@ std::vector<ParameterInfo> balanceRows() {
        .stage = Stage::Flood,
        .group = "Balance",
        .help = "Lets plain surface count a little too, so that flat parts are shared fairly.",
-       .source = ""},
+       .source = "",
+       .method = "t-flooding"},
       {.id = "rng-seed",
        .label = "Random seed",
        .symbol = "",
@@ -170,7 +176,8 @@ std::vector<ParameterInfo> borderRows() {
        .help =
            "How much equal pieces count against short seams. Small: shortest. Large: most even. "
            "For shortest borders.",
-       .source = ""},
+       .source = "",
+       .method = "t-flooding"},
       {.id = "crease-weight",
        .label = "Length of creases",
        .symbol = "",
@@ -201,7 +208,8 @@ std::vector<ParameterInfo> borderRows() {
        .group = "Borders",
        .help = "For tidied borders. Small: straightest. Large: most even. 0: only their length "
                "counts.",
-       .source = ""},
+       .source = "",
+       .method = "t-flooding"},
   };
 }
 
@@ -354,7 +362,8 @@ std::vector<ParameterInfo> stoppingRows() {
        .stage = Stage::Iterations,
        .group = "Stopping",
        .help = "Stop when this many rounds brought no better balance.",
-       .source = "3.4"},
+       .source = "3.4",
+       .method = "t-flooding"},
       {.id = "settle",
        .label = "Settle",
        .symbol = "",
@@ -369,7 +378,8 @@ std::vector<ParameterInfo> stoppingRows() {
        .help =
            "Once moving the seeds no longer helps, keep them and even out by waiting alone, until "
            "this many rounds brought nothing. 0: stop at once, as in the paper.",
-       .source = ""},
+       .source = "",
+       .method = "t-flooding"},
       {.id = "detect-cycles",
        .label = "Stop on a loop",
        .symbol = "",
@@ -392,8 +402,70 @@ std::vector<ParameterInfo> methodRows() {
        .help = "How the pieces are found.",
        .source = "3",
        .choices = {{"t-flooding", "T-flooding", true},
-                   {"vsa", "Variational shape approximation", false},
-                   {"mcgim", "Multi-chart geometry images", false}}},
+                   {"vsa", "Variational shape approximation", true},
+                   {"mcgim", "Multi-chart geometry images", true}}},
+      {.id = "vsa-seeding",
+       .label = "Coming to pieces",
+       .symbol = "",
+       .member = &Parameters::vsaSeeding,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help =
+           "One by one: a new piece where the planes fit worst. Doubling: one in every piece at "
+           "once. Random: all at once anywhere.",
+       .source = "",
+       .choices = {{"one-by-one", "One by one", true},
+                   {"doubling", "Doubling", true},
+                   {"random", "Random", true}},
+       .method = "vsa"},
+      {.id = "vsa-teleport",
+       .label = "Move stuck pieces",
+       .symbol = "",
+       .member = &Parameters::vsaTeleport,
+       .stage = Stage::Iterations,
+       .group = "Method",
+       .help = "Joins two pieces that hardly differ and spends the freed one where the planes fit "
+               "worst.",
+       .source = "4",
+       .method = "vsa"},
+      {.id = "mcgim-lambda",
+       .label = "Roundness",
+       .symbol = "\u03bb",
+       .member = &Parameters::mcgimLambda,
+       .sliderMin = 1,
+       .sliderMax = 10,
+       .hardMin = 1,
+       .hardMax = 1000,
+       .scale = SliderScale::Log,
+       .format = "%.2f",
+       .stage = Stage::Flood,
+       .group = "Method",
+       .help = "Low: pieces keep to flat ground and end at folds. High: round pieces, wherever the "
+               "folds are.",
+       .source = "",
+       .method = "mcgim"},
+      {.id = "mcgim-normals",
+       .label = "Facing of a piece",
+       .symbol = "",
+       .member = &Parameters::mcgimNormals,
+       .stage = Stage::Flood,
+       .group = "Method",
+       .help = "Frozen: which way a piece faces is that of the round before. Running: it follows "
+               "the piece as it grows.",
+       .source = "",
+       .choices = {{"frozen", "Frozen", true}, {"running", "Running", true}},
+       .method = "mcgim"},
+      {.id = "mcgim-disks",
+       .label = "Grow as disks",
+       .symbol = "",
+       .member = &Parameters::mcgimDisks,
+       .stage = Stage::Flood,
+       .group = "Method",
+       .help =
+           "Pieces refuse what would make them rings or give them holes, while there is anything "
+           "else to take.",
+       .source = "",
+       .method = "mcgim"},
       {.id = "search",
        .label = "Search",
        .symbol = "",
@@ -404,7 +476,8 @@ std::vector<ParameterInfo> methodRows() {
            "Literal: the paper's rounds on the whole mesh, every step can be watched. Auto: the "
            "best one for the size of the mesh.",
        .source = "3.4",
-       .choices = {{"auto", "Auto", true}, {"literal", "Literal", true}, {"fast", "Fast", false}}},
+       .choices = {{"auto", "Auto", true}, {"literal", "Literal", true}, {"fast", "Fast", false}},
+       .method = "t-flooding"},
       {.id = "start",
        .label = "Start",
        .symbol = "",
@@ -413,9 +486,8 @@ std::vector<ParameterInfo> methodRows() {
        .group = "Method",
        .help = "Flood: seeds far apart, as in the paper. Auto: the best one for the model.",
        .source = "3.4",
-       .choices = {{"auto", "Auto", true},
-                   {"flood", "Flood", true},
-                   {"creases", "Creases", false}}},
+       .choices = {{"auto", "Auto", true}, {"flood", "Flood", true}, {"creases", "Creases", false}},
+       .method = "t-flooding"},
   };
 }
 

@@ -140,6 +140,22 @@ void setParameterFromText(Parameters& values, const ParameterInfo& info, std::st
       info.member);
 }
 
+std::string whyUnused(const Parameters& values, const ParameterInfo& info) {
+  const std::string id = info.id;
+  if (*info.method != '\0' && values.method != info.method) {
+    const ParameterInfo& method = *findParameter("method");
+    for (const ParameterChoice& choice : method.choices) {
+      if (info.method == std::string(choice.id)) {
+        return "Only for the method \"" + std::string(choice.label) + "\".";
+      }
+    }
+  }
+  if (id == "detect-cycles" && values.method == "vsa") {
+    return "Variational shape approximation stops where it fits no better.";
+  }
+  return "";
+}
+
 std::string parameterText(const ParameterValue& value) {
   if (const bool* on = std::get_if<bool>(&value)) return *on ? "on" : "off";
   if (const int* whole = std::get_if<int>(&value)) return std::to_string(*whole);

@@ -26,13 +26,18 @@ struct Parameters {
   int patience = 10;                  ///< patience: n of section 3.4
   bool detectCycles = true;           ///< detect-cycles
   int settle = 4;                     ///< settle: rounds without gain, seeds at rest
-  std::string search = "auto";        ///< search
-  std::string start = "auto";         ///< start
-  std::string refine = "cuts";        ///< refine
-  double balanceWeight = 1000;        ///< balance-weight: w
-  double creaseWeight = 0.3;          ///< crease-weight
-  double cleanUp = 1000;              ///< clean-up: mu
-  bool cutHandles = true;             ///< cut-handles
+  std::string vsaSeeding = "one-by-one";  ///< vsa-seeding
+  bool vsaTeleport = true;                ///< vsa-teleport
+  double mcgimLambda = 1;                 ///< mcgim-lambda
+  std::string mcgimNormals = "frozen";    ///< mcgim-normals
+  bool mcgimDisks = false;                ///< mcgim-disks
+  std::string search = "auto";            ///< search
+  std::string start = "auto";             ///< start
+  std::string refine = "cuts";            ///< refine
+  double balanceWeight = 1000;            ///< balance-weight: w
+  double creaseWeight = 0.3;              ///< crease-weight
+  double cleanUp = 1000;                  ///< clean-up: mu
+  bool cutHandles = true;                 ///< cut-handles
   std::string handleSearch = "shortest";  ///< handle-search
   bool cutLoops = true;                   ///< cut-loops
   bool cutTips = true;                    ///< cut-tips
@@ -84,6 +89,7 @@ struct ParameterInfo {
   const char* help = "";                      ///< one or two sentences in an artist's words
   const char* source = "";                    ///< section of the paper, "" when beyond it
   std::vector<ParameterChoice> choices = {};  ///< of string parameters
+  const char* method = "";                    ///< the only method that knows it; "": all
 };
 
 /// All rows in the order of the panel.
@@ -101,6 +107,10 @@ void setParameter(Parameters& values, const ParameterInfo& info, const Parameter
 
 /// Reads "20", "1e-3", "on", "false", "moves" and stores it. \throws UsageError
 void setParameterFromText(Parameters& values, const ParameterInfo& info, std::string_view text);
+
+/// Why the row says nothing with these values, as a sentence: another method or a switch makes it
+/// void. "" when it counts.
+std::string whyUnused(const Parameters& values, const ParameterInfo& info);
 
 /// Text that setParameterFromText reads back to the same value.
 std::string parameterText(const ParameterValue& value);

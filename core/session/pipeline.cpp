@@ -11,6 +11,7 @@
 #include "core/pack/layout_atlas.h"
 #include "core/param/unwrap_charts.h"
 #include "core/segment/registry.h"
+#include "core/segment/seeds.h"
 
 namespace chartflood {
 
@@ -20,6 +21,12 @@ using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+VsaSeeding vsaSeeding(const std::string& id) {
+  return id == "doubling" ? VsaSeeding::Doubling
+         : id == "random" ? VsaSeeding::Random
+                          : VsaSeeding::OneByOne;
 }
 
 std::string repairsText(const Mesh& mesh) {
@@ -60,6 +67,7 @@ void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds
   unwrapAsked_ = false;
   seeds_.clear();
   offsets_.clear();
+  normals_.clear();
   document_.seeds.clear();
   toldCharts_ = 0;
   tell(Notice::Kind::Info, "Loaded " + std::to_string(mesh_->triangleCount()) + " triangles in " +
@@ -111,7 +119,13 @@ void Pipeline::reviseSeeds(const Document& before) {
   // are.
   // Seeds that were dropped because of fewer charts leave the others where the rounds took them.
   const Document followed = withFittingSeeds(before, {now, before.seeds});
+  const std::vector<Index> old = seeds_;
   if (document_.seeds != before.seeds && document_.seeds != followed.seeds) seeds_ = placed;
+  // What one method's rounds arrived at is no beginning for another's.
+  if (now.method != before.parameters.method) {
+    seeds_ = placed;
+    offsets_.clear();
+  }
   if (now.rngSeed != before.parameters.rngSeed) seeds_ = placed;
   if (now.charts != before.parameters.charts) {
     dropNewestSeeds(static_cast<std::size_t>(now.charts));
@@ -122,6 +136,8 @@ void Pipeline::reviseSeeds(const Document& before) {
   if (now.sharpAngle != before.parameters.sharpAngle || seeds_.size() != offsets_.size()) {
     offsets_.clear();
   }
+  // Normals belong to charts grown from just these seeds.
+  if (seeds_ != old) normals_.clear();
 }
 
 bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
@@ -139,6 +155,8 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
     return false;
   }
   const bool hadCharts = stepper_ != nullptr || segmentation_ != nullptr;
+  // Another method begins from its own seeds: where charts were finished, its own are made.
+  const bool otherMethod = finished() && document.parameters.method != before.parameters.method;
   const bool keepFinal = finished() && samePlaces && stage >= Stage::Iterations;
   reviseSeeds(before);
   stepper_.reset();
@@ -148,14 +166,16 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   // Where only later stages changed, the finished charts are finished again in the new way.
   makeStepper(keepFinal ? 1 : static_cast<std::size_t>(document.parameters.maxIterations));
   const Clock::time_point start = Clock::now();
-  stepper_->advance(keepFinal ? StepUnit::Converged : StepUnit::Flood, 1, progress);
+  const bool toTheEnd = keepFinal || otherMethod;
+  stepper_->advance(toTheEnd ? StepUnit::Converged : StepUnit::Flood, 1, progress);
   timing_.segment = millisecondsSince(start);
   return true;
 }
 
 bool Pipeline::standsAt(const FloodMoment& moment) const {
   return stepper_ && stepper_->record() && seeds_ == moment.seeds && offsets_ == moment.offsets &&
-         finished() == moment.finished && stepper_->record()->size() == moment.taken;
+         normals_ == moment.normals && finished() == moment.finished &&
+         stepper_->record()->size() == moment.taken;
 }
 
 void Pipeline::restore(const Document& document, const FloodMoment& moment, Progress& progress) {
@@ -172,6 +192,7 @@ void Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
   if (changed && stage <= Stage::Graph) makeGraph(progress);
   seeds_ = moment.seeds;
   offsets_ = moment.offsets;
+  normals_ = moment.normals;
   makeStepper(moment.finished ? 1 : static_cast<std::size_t>(document.parameters.maxIterations));
   const Clock::time_point start = Clock::now();
   if (moment.finished) {
@@ -198,6 +219,7 @@ void Pipeline::makeStepper(std::size_t maxIterations) {
   options.locked = lockedFaces(document_.seeds);
   locksChanged_ = false;
   options.offsets = offsets_;
+  options.normals = normals_;
   options.rngSeed = static_cast<std::uint32_t>(p.rngSeed);
   options.useOffsets = p.offsets;
   options.offsetDamping = p.offsetDamping;
@@ -207,6 +229,8 @@ void Pipeline::makeStepper(std::size_t maxIterations) {
   options.detectCycles = p.detectCycles;
   options.settle = static_cast<std::size_t>(p.settle);
   options.refine = refineOptions(p);
+  options.vsa = {vsaSeeding(p.vsaSeeding), p.vsaTeleport};
+  options.mcgim = {p.mcgimLambda, p.mcgimNormals == "running", p.mcgimDisks};
   options.onFlood = [this](const FloodStart& start) { noteFlood(start); };
   stepper_ = findSegmenter(p.method)->make({mesh_, gauss_, graph_}, options);
   timing_.segment = 0;
@@ -216,6 +240,7 @@ void Pipeline::makeStepper(std::size_t maxIterations) {
 void Pipeline::noteFlood(const FloodStart& start) {
   seeds_.assign(start.seeds.begin(), start.seeds.end());
   offsets_.assign(start.offsets.begin(), start.offsets.end());
+  normals_.assign(start.normals.begin(), start.normals.end());
   listener_.onFlood(start);
 }
 
@@ -241,6 +266,7 @@ void Pipeline::restartFlood() {
 void Pipeline::resetSeeds() {
   seeds_.clear();
   offsets_.clear();
+  normals_.clear();
   if (stepper_) makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
 }
 
@@ -364,7 +390,12 @@ void Pipeline::report(Results& results) const {
 
 void Pipeline::tellChartCount() {
   const std::size_t wanted = static_cast<std::size_t>(document_.parameters.charts);
-  const std::size_t count = seeds_.size();
+  // Methods that come to their charts one by one begin with fewer seeds.
+  const std::size_t locks = lockedFaces(document_.seeds).size();
+  const std::size_t count =
+      effectiveChartCount(*mesh_, document_.parameters.method == "t-flooding"
+                                      ? seeds_.size()
+                                      : std::max({wanted, locks, seeds_.size()}));
   if (count == wanted || count == toldCharts_) return;
   toldCharts_ = count;
   const std::string number = std::to_string(count);
@@ -393,6 +424,9 @@ void Pipeline::tellOutcome() {
   case StopReason::MaxIterations:
     return tell(Notice::Kind::Info, "Stopped after the most iterations allowed; " + kept);
   case StopReason::NoImprovement:
+    if (document_.parameters.method != "t-flooding") {
+      return tell(Notice::Kind::Info, "Stopped: more rounds bring no better fit; " + kept);
+    }
     return tell(Notice::Kind::Info, "Stopped: no better balance for " +
                                         std::to_string(document_.parameters.patience) +
                                         " rounds; " + kept);

@@ -100,12 +100,13 @@ class Pipeline {
   std::unique_ptr<Stepper> stepper_;
   std::shared_ptr<const Segmentation> segmentation_;  ///< last one measured
   std::shared_ptr<const ChartStats> stats_;           ///< of segmentation_
-  std::vector<Index> seeds_;     ///< of the last flood, to go on from; empty: place anew
-  std::vector<double> offsets_;  ///< of the last flood; as many as seeds, or none
-  Flat flat_;                    ///< what is being made; parts are null from the first stale one on
-  Flat shownFlat_;               ///< the last complete one
-  bool unwrapAsked_ = false;     ///< of the present charts
-  bool locksChanged_ = false;    ///< since the stepper was made
+  std::vector<Index> seeds_;         ///< of the last flood, to go on from; empty: place anew
+  std::vector<double> offsets_;      ///< of the last flood; as many as seeds, or none
+  std::vector<glm::dvec3> normals_;  ///< of the last flood; as many as seeds, or none
+  Flat flat_;                  ///< what is being made; parts are null from the first stale one on
+  Flat shownFlat_;             ///< the last complete one
+  bool unwrapAsked_ = false;   ///< of the present charts
+  bool locksChanged_ = false;  ///< since the stepper was made
   Timing timing_;
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;

@@ -226,6 +226,7 @@ class Session::Engine {
       next->recordIteration = start.iteration;
       next->seeds.assign(start.seeds.begin(), start.seeds.end());
       next->offsets.assign(start.offsets.begin(), start.offsets.end());
+      next->normals.assign(start.normals.begin(), start.normals.end());
       next->finished = false;
       ++next->version;
       results_ = std::move(next);
@@ -262,6 +263,7 @@ FloodMoment momentOf(const Results& results) {
   if (results.stale || !results.record) return moment;
   moment.seeds = results.seeds;
   moment.offsets = results.offsets;
+  moment.normals = results.normals;
   moment.taken = results.record->size();
   moment.finished = results.finished;
   return moment;

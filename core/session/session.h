@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "core/base/index.h"
 #include "core/base/progress.h"
 #include "core/model/atlas.h"
@@ -52,7 +54,8 @@ struct Results {
   std::shared_ptr<const FloodRecord> record;
   std::size_t recordIteration = 0;  ///< round that `record` belongs to
   std::vector<Index> seeds;         ///< of the round of `record`
-  std::vector<double> offsets;      ///< of the round of `record`, one a seed
+  std::vector<double> offsets;      ///< of the round of `record`, one a seed or none
+  std::vector<glm::dvec3> normals;  ///< of the round of `record`, one a seed or none
   /// Steps of the seam cuts from the flooded labels to the final ones; null when there were none.
   std::shared_ptr<const SeamRecord> seamRecord;
   std::vector<IterationSummary> history;

@@ -52,6 +52,12 @@ Json seedsJson(const std::vector<PlacedSeed>& seeds) {
   return json;
 }
 
+Json normalsJson(const std::vector<glm::dvec3>& normals) {
+  Json json = Json::array();
+  for (const glm::dvec3& n : normals) json.push_back({n.x, n.y, n.z});
+  return json;
+}
+
 Json viewJson(const std::map<std::string, SessionValue>& view) {
   Json json = Json::object();
   for (const auto& [name, value] : view) {
@@ -218,6 +224,13 @@ Parameters readParameters(Reader& reader) {
   return parameters;
 }
 
+bool isNormal(const Json& json) {
+  return json.is_array() && json.size() == 3 &&
+         std::all_of(json.begin(), json.end(), [](const Json& part) {
+           return part.is_number() && std::abs(part.get<double>()) <= 1.001;
+         });
+}
+
 bool isFace(const Json& json) {
   return json.is_number_unsigned() && json.get<std::uint64_t>() < kNone;
 }
@@ -248,9 +261,16 @@ FloodMoment readCharts(Reader& parent, std::vector<std::string>& warnings) {
     usable = usable && offset.is_number() && std::isfinite(offset.get<double>());
     if (usable) moment.offsets.push_back(offset.get<double>());
   }
+  for (const Json& normal : reader.part("normals", true)) {
+    usable = usable && isNormal(normal);
+    if (!usable) continue;
+    moment.normals.emplace_back(normal[0].get<double>(), normal[1].get<double>(),
+                                normal[2].get<double>());
+  }
   moment.taken = reader.count("taken");
   moment.finished = reader.flag("finished");
-  usable = usable && (moment.offsets.empty() || moment.offsets.size() == moment.seeds.size());
+  usable = usable && (moment.offsets.empty() || moment.offsets.size() == moment.seeds.size()) &&
+           (moment.normals.empty() || moment.normals.size() == moment.seeds.size());
   if (usable) return moment;
   parent.unusable("charts");
   return {};
@@ -310,6 +330,7 @@ std::string sessionText(const SessionFile& session, const std::filesystem::path&
       {"charts",
        {{"seeds", session.charts.seeds},
         {"offsets", session.charts.offsets},
+        {"normals", normalsJson(session.charts.normals)},
         {"taken", session.charts.taken},
         {"finished", session.charts.finished}}},
       {"view", viewJson(session.view)},
