@@ -167,7 +167,7 @@ TEST(OptionRefusal, OfMissingValues) {
 TEST(OptionRefusal, OfWhatIsNotBuilt) {
   EXPECT_EQ(refusal({"--charts=auto"}),
             "--charts=auto is not built yet: give the number of charts.");
-  EXPECT_EQ(refusal({"--method=vsa"}), "--method=vsa is not built yet: give t-flooding.");
+  EXPECT_EQ(refusal({"--search=fast"}), "--search=fast is not built yet: give auto or literal.");
   std::size_t unbuilt = 0;
   for (const OptionInfo& option : optionTable()) {
     if (option.built) continue;

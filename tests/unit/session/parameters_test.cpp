@@ -181,7 +181,7 @@ TEST(ParameterRefusal, OfChoicesThatAreNotBuilt) {
                                                 " is not built yet: give "));
     }
   }
-  EXPECT_EQ(refusal("method", "vsa"), "--method=vsa is not built yet: give t-flooding.");
+  EXPECT_EQ(refusal("search", "fast"), "--search=fast is not built yet: give auto or literal.");
   EXPECT_EQ(refusal("start", "creases"), "--start=creases is not built yet: give auto or flood.");
 }
 
