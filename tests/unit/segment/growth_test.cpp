@@ -1,0 +1,178 @@
+// Known answers of the two methods that grow charts by normals.
+
+#include <algorithm>
+#include <queue>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include "core/flood/build_flood_graph.h"
+#include "core/gauss/compute_gauss_area.h"
+#include "core/segment/registry.h"
+#include "core/segment/vsa.h"
+#include "core/segment/vsa_regions.h"
+#include "tests/support/segmentation_checks.h"
+#include "tests/support/test_meshes.h"
+
+namespace chartflood {
+namespace {
+
+SegmentInputs inputsOf(std::shared_ptr<const Mesh> mesh) {
+  SegmentInputs in;
+  in.mesh = std::move(mesh);
+  in.gaussArea = std::make_shared<GaussArea>(computeGaussArea(*in.mesh, 45));
+  in.floodGraph = std::make_shared<FloodGraph>(buildFloodGraph(*in.mesh, *in.gaussArea, {}));
+  return in;
+}
+
+std::unique_ptr<Stepper> finished(const char* method, const SegmentInputs& in,
+                                  const SegmentOptions& options) {
+  auto stepper = findSegmenter(method)->make(in, options);
+  Progress progress;
+  EXPECT_EQ(stepper->advance(StepUnit::Converged, 1, progress), StepOutcome::Finished);
+  return stepper;
+}
+
+SegmentOptions charts(std::size_t count) {
+  SegmentOptions options;
+  options.charts = count;
+  options.refineMoves = false;
+  return options;
+}
+
+TEST(Vsa, FlatSidesAreFoundExactly) {
+  const auto cube = inputsOf(test::sampleMesh("cube", 1200));
+  const auto state = finished("vsa", cube, charts(6))->state();
+  EXPECT_LT(vsaCost(*cube.mesh, state->label, 6), 1e-9);
+  const auto block = inputsOf(test::sampleMesh("l-block", 1500));
+  const auto sides = finished("vsa", block, charts(8))->state();
+  EXPECT_LT(vsaCost(*block.mesh, sides->label, 8), 1e-9);
+}
+
+TEST(Vsa, KeepsTheCheapestRoundAndFitsTheMinimiser) {
+  const auto in = inputsOf(test::sampleMesh("bumps", 3000));
+  for (const VsaSeeding seeding :
+       {VsaSeeding::OneByOne, VsaSeeding::Doubling, VsaSeeding::Random}) {
+    SegmentOptions options = charts(12);
+    options.vsa.seeding = seeding;
+    const auto stepper = finished("vsa", in, options);
+    const auto state = stepper->state();
+    test::expectValid(*in.mesh, *in.gaussArea, *state);
+    const double cost = vsaCost(*in.mesh, state->label, 12);
+    EXPECT_NEAR(cost, stepper->history()[stepper->bestIteration()].cost, 1e-9 * cost);
+    for (const IterationSummary& round : stepper->history()) {
+      if (round.seeds.size() == 12) EXPECT_GE(round.cost, cost * (1 - 1e-12));
+    }
+  }
+  // Any other proxy than the fitted one costs more, and E = 2 (A - |S|).
+  auto faces = inputsOf(test::sampleMesh("bumps", 3000)).mesh->faceCount();
+  std::vector<GrowthFace> patch;
+  for (std::size_t i = 0; i < std::min<std::size_t>(faces, 50); ++i) {
+    GrowthFace face;
+    const float x = 0.01f * static_cast<float>(i);
+    face.normal = glm::normalize(glm::vec3(x, x * x, 1.0f));
+    face.area = 1.0f + x;
+    face.label = 0;
+    patch.push_back(face);
+  }
+  const std::vector<glm::dvec3> none(1, glm::dvec3(0));
+  const VsaRegion region = fitRegions(patch, none)[0];
+  EXPECT_NEAR(region.cost, 2 * (region.area - glm::length(region.sum)), 1e-5 * region.area);
+  for (const glm::dvec3 shift : {glm::dvec3(0.01, 0, 0), glm::dvec3(0, -0.01, 0)}) {
+    const glm::dvec3 other = glm::normalize(region.normal + shift);
+    double cost = 0;
+    for (const GrowthFace& face : patch) {
+      const glm::dvec3 d = glm::dvec3(face.normal) - other;
+      cost += static_cast<double>(face.area) * glm::dot(d, d);
+    }
+    EXPECT_GT(cost, region.cost);
+  }
+}
+
+TEST(Vsa, TeleportationOnlyLowersTheCost) {
+  const auto in = inputsOf(test::sampleMesh("rocket", 4000));
+  SegmentOptions options = charts(15);
+  options.maxIterations = 500;
+  const auto with = finished("vsa", in, options)->state();
+  options.vsa.teleport = false;
+  const auto without = finished("vsa", in, options)->state();
+  EXPECT_LE(vsaCost(*in.mesh, with->label, 15), vsaCost(*in.mesh, without->label, 15));
+}
+
+TEST(Mcgim, SixChartsOfACubeAreItsSides) {
+  const auto in = inputsOf(test::sampleMesh("cube", 1200));
+  const auto state = finished("mcgim", in, charts(6))->state();
+  EXPECT_LT(vsaCost(*in.mesh, state->label, 6), 1e-9);
+}
+
+/// Nearest seed of each face over the dual graph by plain Dijkstra, and the distance.
+std::vector<double> distancesToSeeds(const Mesh& mesh, const std::vector<Index>& seeds) {
+  const auto centroid = faceCentroids(mesh);
+  std::vector<double> distance(mesh.faceCount(), 1e300);
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (const Index seed : seeds) queue.emplace(distance[seed] = 0, seed);
+  while (!queue.empty()) {
+    const auto [here, face] = queue.top();
+    queue.pop();
+    if (here > distance[face]) continue;
+    for (Index s = 3 * mesh.triangleBegin(face); s < 3 * mesh.triangleBegin(face + 1); ++s) {
+      if (mesh.opposite()[s] == kNone) continue;
+      const Index next = mesh.faceOf(mesh.opposite()[s] / 3);
+      const double there = here + glm::length(centroid[face] - centroid[next]);
+      if (there < distance[next]) queue.emplace(distance[next] = there, next);
+    }
+  }
+  return distance;
+}
+
+TEST(Mcgim, LargeLambdaGivesVoronoiCells) {
+  const auto in = inputsOf(test::sampleMesh("bumps", 3000));
+  SegmentOptions options = charts(7);
+  options.mcgim.lambda = 1e6;
+  const auto state = finished("mcgim", in, options)->state();
+  const auto nearest = distancesToSeeds(*in.mesh, state->seeds);
+  std::size_t elsewhere = 0;
+  for (Index c = 0; c < 7; ++c) {
+    const auto own = distancesToSeeds(*in.mesh, {state->seeds[c]});
+    for (Index f = 0; f < own.size(); ++f) {
+      elsewhere += state->label[f] == c && own[f] > nearest[f] * (1 + 1e-4);
+    }
+  }
+  EXPECT_EQ(elsewhere, 0u);
+}
+
+TEST(Mcgim, DisksStayDisksAndRunningNormalsAreValid) {
+  const auto in = inputsOf(test::sampleMesh("torus", 2000));
+  SegmentOptions options = charts(8);
+  options.mcgim.disks = true;
+  test::expectValid(*in.mesh, *in.gaussArea, *finished("mcgim", in, options)->state());
+  options.mcgim = {.runningNormals = true};
+  test::expectValid(*in.mesh, *in.gaussArea, *finished("mcgim", in, options)->state());
+}
+
+class Growth : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Methods, Growth, testing::Values("vsa", "mcgim"));
+
+TEST_P(Growth, OneChartAFaceAndFlatGround) {
+  const auto sphere = inputsOf(test::sampleMesh("sphere", 300));
+  EXPECT_EQ(finished(GetParam(), sphere, charts(100000))->state()->chartCount,
+            sphere.mesh->faceCount());
+  const auto plane = inputsOf(test::grid(8, false));
+  const auto state = finished(GetParam(), plane, charts(5))->state();
+  EXPECT_EQ(state->chartCount, 5u);
+  test::expectValid(*plane.mesh, *plane.gaussArea, *state);
+}
+
+TEST_P(Growth, LockedSeedsStay) {
+  const auto in = inputsOf(test::sampleMesh("bumps", 2000));
+  SegmentOptions options = charts(6);
+  options.seeds = {100, 700};
+  options.locked = {700};
+  const auto seeds = finished(GetParam(), in, options)->state()->seeds;
+  EXPECT_EQ(seeds.size(), 6u);
+  EXPECT_NE(std::find(seeds.begin(), seeds.end(), Index{700}), seeds.end());
+}
+
+}  // namespace
+}  // namespace chartflood
