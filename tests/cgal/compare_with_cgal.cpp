@@ -31,6 +31,7 @@ constexpr double kMostOver = 1.03;
 
 struct Run {
   double seconds = 0, cost = 0;
+  std::size_t charts = 0;
 };
 
 template <class Work>
@@ -64,23 +65,28 @@ Run cgalRun(const Mesh& mesh) {
         CGAL::parameters::seeding_method(CGAL::Surface_mesh_approximation::HIERARCHICAL)
             .max_number_of_proxies(kCharts)
             .number_of_relaxations(5));
+    // Doubling may end short of the number.
+    if (approximation.number_of_proxies() < kCharts) {
+      approximation.add_to_furthest_proxies(kCharts - approximation.number_of_proxies(), 5);
+    }
     approximation.run(30);
     for (int i = 0; i < 10; ++i) {
       if (approximation.teleport_proxies(1, 5, true) == 0) break;
     }
     approximation.run(5);
+    run.charts = approximation.number_of_proxies();
     auto [map, made] = input.add_property_map<CgalMesh::Face_index, std::size_t>("f:chart", 0);
     approximation.proxy_map(map);
     for (const auto face : input.faces()) label[face.idx()] = static_cast<Index>(map[face]);
   });
-  run.cost = vsaCost(mesh, label, kCharts);
+  run.cost = vsaCost(mesh, label, run.charts);
   return run;
 }
 
 Run ourRun(const SegmentInputs& in, const char* method) {
   SegmentOptions options;
   options.charts = kCharts;
-  options.refineMoves = method == std::string("t-flooding");
+  if (method != std::string("t-flooding")) options.refine.kind = RefineKind::None;
   std::shared_ptr<const Segmentation> state;
   Run run;
   run.seconds = secondsOf([&] {
@@ -89,7 +95,8 @@ Run ourRun(const SegmentInputs& in, const char* method) {
     stepper->advance(StepUnit::Converged, 1, progress);
     state = stepper->state();
   });
-  run.cost = vsaCost(*in.mesh, state->label, state->chartCount);
+  run.charts = state->chartCount;
+  run.cost = vsaCost(*in.mesh, state->label, run.charts);
   return run;
 }
 
@@ -106,10 +113,11 @@ bool compare(const char* file) {
   }
   const Run cgal = cgalRun(*in.mesh);
   const Run vsa = ourRun(in, "vsa"), flood = ourRun(in, "t-flooding");
-  std::printf("%s: %zu triangles; cost CGAL %.6g ours %.6g ratio %.4f; seconds CGAL %.2f ours %.2f "
+  std::printf("%s: %zu triangles, %zu and %zu charts; cost CGAL %.6g ours %.6g ratio %.4f; seconds "
+              "CGAL %.2f ours %.2f "
               "t-flooding %.2f\n",
-              file, in.mesh->faceCount(), cgal.cost, vsa.cost, vsa.cost / cgal.cost, cgal.seconds,
-              vsa.seconds, flood.seconds);
+              file, in.mesh->faceCount(), cgal.charts, vsa.charts, cgal.cost, vsa.cost,
+              vsa.cost / cgal.cost, cgal.seconds, vsa.seconds, flood.seconds);
   std::fflush(stdout);
   return vsa.cost <= kMostOver * cgal.cost;
 }

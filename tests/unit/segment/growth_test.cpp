@@ -36,7 +36,7 @@ std::unique_ptr<Stepper> finished(const char* method, const SegmentInputs& in,
 SegmentOptions charts(std::size_t count) {
   SegmentOptions options;
   options.charts = count;
-  options.refineMoves = false;
+  options.refine.kind = RefineKind::None;
   return options;
 }
 
