@@ -84,7 +84,7 @@ class Vsa final : public GrowthMethod {
   static constexpr std::size_t kPatience = 3;     ///< rounds without gain that end relaxing
   static constexpr std::size_t kRelaxations = 5;  ///< floods for each doubling
   static constexpr std::size_t kTeleports = 10;   ///< in all
-  static constexpr std::size_t kFailures = 3;     ///< in a row
+  static constexpr std::size_t kFailures = 4;     ///< in a row
 
   /// What a teleportation began from, to go back to and try the next pair.
   struct Base {
@@ -143,14 +143,19 @@ class Vsa final : public GrowthMethod {
       failures_ = 0;
     } else if (++failures_ == kFailures) {
       return std::nullopt;
+    } else if (++tried_ >= base_->pairs.size()) {
+      // Charts of the same cost elsewhere may have a better place to leave from.
+      if (cost_ > *least_ * (1 + kGain)) return std::nullopt;
+      newBase(std::move(relaxed));
     }
-    if (failures_ >= base_->pairs.size()) return std::nullopt;
+    if (base_->pairs.empty()) return std::nullopt;
     ++teleports_;
-    return teleported(failures_);
+    return teleported(tried_);
   }
 
   void newBase(GrowthStart start) {
     base_ = {std::move(start), *least_, regions_, {}, {}};
+    tried_ = 0;
     const auto byCost = [&](const auto& a, const auto& b) {
       const double x = mergeCost(regions_[a.first], regions_[a.second]);
       const double y = mergeCost(regions_[b.first], regions_[b.second]);
@@ -211,6 +216,7 @@ class Vsa final : public GrowthMethod {
   double cost_ = 0;
   std::optional<double> least_;  ///< of the rounds with all charts
   std::size_t stalled_ = 0, relaxations_ = 0, teleports_ = 0, failures_ = 0;
+  std::size_t tried_ = 0;  ///< pairs of the base
   std::optional<Base> base_;
 };
 
