@@ -434,7 +434,7 @@ std::vector<ParameterInfo> methodRows() {
        .member = &Parameters::mcgimLambda,
        .sliderMin = 1,
        .sliderMax = 10,
-       .hardMin = 1,
+       .hardMin = 0.1,
        .hardMax = 1000,
        .scale = SliderScale::Log,
        .format = "%.2f",

@@ -49,8 +49,13 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
         info.member);
   }
   const Parameters defaults;
-  EXPECT_EQ(parameterTable().size(), 30u);
+  EXPECT_EQ(parameterTable().size(), 35u);
   EXPECT_NE(changed.method, defaults.method);
+  EXPECT_NE(changed.vsaSeeding, defaults.vsaSeeding);
+  EXPECT_NE(changed.vsaTeleport, defaults.vsaTeleport);
+  EXPECT_NE(changed.mcgimLambda, defaults.mcgimLambda);
+  EXPECT_NE(changed.mcgimNormals, defaults.mcgimNormals);
+  EXPECT_NE(changed.mcgimDisks, defaults.mcgimDisks);
   EXPECT_NE(changed.charts, defaults.charts);
   EXPECT_NE(changed.sharpAngle, defaults.sharpAngle);
   EXPECT_NE(changed.speedPower, defaults.speedPower);
