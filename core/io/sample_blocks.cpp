@@ -1,5 +1,7 @@
 /// Samples made of squares: plane, bumps, cube and the L of three cubes.
 
+#include "core/io/sample_blocks.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +11,6 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/io/sample_blocks.h"
 #include "core/io/sample_shapes.h"
 #include "core/io/sample_surface.h"
 

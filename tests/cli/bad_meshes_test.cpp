@@ -31,13 +31,16 @@ std::vector<std::filesystem::path> badFiles() {
 TEST(BadMeshes, EachEndsWithChartsOrOneSentence) {
   const auto files = badFiles();
   if (files.empty()) GTEST_SKIP() << "the folder of broken meshes is absent";
+  std::size_t number = 0;
   for (const auto& file : files) {
     SCOPED_TRACE(file.filename().string());
+    // Searching for the closest places takes most of the time; every fourth file is enough for it.
+    const char* layout = number++ % 4 == 0 ? "--layout=packed" : "--layout=square";
     const TemporaryFolder folder;
     const ProgramRun run =
         runProgramIn(folder.path(), {"/usr/bin/timeout", "60", CHARTFLOOD_PROGRAM, "--charts=20",
                                      "--export-labels=labels.txt", "--report=report.json",
-                                     "--max-iterations=4", "--", file.string()});
+                                     "--max-iterations=4", layout, "--", file.string()});
     ASSERT_TRUE(run.exitCode == 0 || run.exitCode == 1) << run.exitCode << ": " << run.errors;
     const bool wrote = std::filesystem::exists(folder.path() / "labels.txt");
     EXPECT_EQ(wrote, run.exitCode == 0);

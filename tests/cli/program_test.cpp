@@ -269,9 +269,9 @@ TEST_F(Program, PicturesHaveTheSizeAndGroundAskedFor) {
 TEST_F(Program, PictureOptionsChangeThePicture) {
   // Few triangles: edges that are too dense are not drawn.
   const auto picture = [&](const std::string& option) {
-    const ProgramRun done =
-        run({"--sample=rocket", "--triangles=2500", "--charts=6", "--iterations=1",
-             "--supersampling=1", "--resolution=300,400", "--output=a.png", option});
+    const ProgramRun done = run({"--sample=rocket", "--triangles=2500", "--charts=6",
+                                 "--iterations=1", "--layout=square", "--supersampling=1",
+                                 "--resolution=300,400", "--output=a.png", option});
     EXPECT_EQ(done.exitCode, 0) << option << ": " << done.errors;
     return file("a.png");
   };
@@ -306,8 +306,8 @@ TEST_F(Program, PictureOptionsChangeThePicture) {
 TEST_F(Program, ColorMapRangeAndBarChangeAPictureOfValues) {
   const auto picture = [&](const std::string& option) {
     const ProgramRun done =
-        run({"--sample=bumps", "--iterations=1", "--supersampling=1", "--resolution=240,200",
-             "--output=a.png", "--color-by=gauss-face", option});
+        run({"--sample=bumps", "--iterations=1", "--layout=square", "--supersampling=1",
+             "--resolution=240,200", "--output=a.png", "--color-by=gauss-face", option});
     EXPECT_EQ(done.exitCode, 0) << option << ": " << done.errors;
     return file("a.png");
   };
