@@ -236,18 +236,19 @@ TEST_F(Program, IterationsStopAfterSoManyRounds) {
 }
 
 TEST_F(Program, ParametersChangeTheResult) {
-  const auto labels = [&](const std::string& option) {
+  const auto labels = [&](const std::string& option, const std::string& other = "--charts=20") {
     const ProgramRun done =
-        run({"--sample=knot", "--triangles=8000", option, "--export-labels=labels.txt"});
+        run({"--sample=knot", "--triangles=8000", other, option, "--export-labels=labels.txt"});
     EXPECT_EQ(done.exitCode, 0) << done.errors;
     return file("labels.txt");
   };
-  const std::string usual = labels("--charts=20");
+  const std::string usual = labels("--rng-seed=1");
+  EXPECT_TRUE(labels("--clean-up=10", "--refine=moves") != labels("--refine=moves"));
+  EXPECT_TRUE(labels("--rng-seed=1", "--charts=8") != usual);
   for (const char* option :
-       {"--charts=8", "--sharp-angle=10", "--speed-power=4", "--speed-epsilon=1e-5",
-        "--offsets=off", "--offset-damping=0.9", "--lookahead=off", "--area-share=0.05",
-        "--max-iterations=2", "--patience=1", "--settle=0", "--refine=none", "--clean-up=10",
-        "--preset=paper"}) {
+       {"--sharp-angle=10", "--speed-power=4", "--speed-epsilon=1e-5", "--offsets=off",
+        "--offset-damping=0.9", "--lookahead=off", "--area-share=0.05", "--max-iterations=2",
+        "--patience=1", "--settle=0", "--refine=none", "--balance-weight=10", "--preset=paper"}) {
     EXPECT_TRUE(labels(option) != usual) << option << " changes nothing";
   }
   for (const char* option : {"--search=literal", "--start=flood", "--method=t-flooding"}) {
