@@ -6,16 +6,17 @@
 
 namespace chartflood {
 
-namespace {
-
-glm::dvec3 areaVector(const Mesh& mesh, Index triangle) {
-  const auto& corner = mesh.triangles()[triangle];
+glm::dvec3 areaVector(const Mesh& mesh, Index face) {
   const auto positions = mesh.positions();
-  const glm::dvec3 a = positions[corner[0]];
-  return 0.5 * glm::cross(positions[corner[1]] - a, positions[corner[2]] - a);
+  glm::dvec3 sum{0};
+  for (Index t = mesh.triangleBegin(face); t < mesh.triangleBegin(face + 1); ++t) {
+    if (mesh.degenerate(t)) continue;
+    const auto& corner = mesh.triangles()[t];
+    const glm::dvec3 a = positions[corner[0]];
+    sum += 0.5 * glm::cross(positions[corner[1]] - a, positions[corner[2]] - a);
+  }
+  return sum;
 }
-
-}  // namespace
 
 GrowthGraph buildGrowthGraph(const Mesh& mesh) {
   GrowthGraph graph;
@@ -26,10 +27,8 @@ GrowthGraph buildGrowthGraph(const Mesh& mesh) {
   double sum = 0;
   std::size_t count = 0;
   for (Index f = 0; f < faces; ++f) {
-    glm::dvec3 normal{0};
     if (!mesh.facesAreTriangles()) graph.arcBegin.push_back(static_cast<Index>(graph.arcs.size()));
     for (Index t = mesh.triangleBegin(f); t < mesh.triangleBegin(f + 1); ++t) {
-      if (!mesh.degenerate(t)) normal += areaVector(mesh, t);
       for (Index s = 3 * t; s < 3 * t + 3; ++s) {
         const Index other = mesh.opposite()[s];
         const Index next = other == kNone ? kNone : mesh.faceOf(other / 3);
@@ -44,9 +43,10 @@ GrowthGraph buildGrowthGraph(const Mesh& mesh) {
         graph.arcs.push_back({});
       }
     }
-    const double area = glm::length(normal);
+    const glm::dvec3 vector = areaVector(mesh, f);
+    const double area = glm::length(vector);
     if (!(area > 0)) continue;
-    graph.faces[f].normal = glm::vec3(normal / area);
+    graph.faces[f].normal = glm::vec3(vector / area);
     graph.faces[f].area = static_cast<float>(area);
   }
   if (!mesh.facesAreTriangles()) graph.arcBegin.push_back(static_cast<Index>(graph.arcs.size()));

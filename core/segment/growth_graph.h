@@ -39,6 +39,9 @@ struct GrowthGraph {
   Index begin(Index face) const { return arcBegin.empty() ? 3 * face : arcBegin[face]; }
 };
 
+/// Sum of the area times unit normal of a face's triangles; 0 for a degenerate face.
+glm::dvec3 areaVector(const Mesh& mesh, Index face);
+
 /// Cost: linear, one pass.
 GrowthGraph buildGrowthGraph(const Mesh& mesh);
 

@@ -1,7 +1,6 @@
 #include "core/segment/mcgim.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -95,7 +94,7 @@ class Mcgim final : public GrowthMethod {
     const std::vector<Index> centers =
         center_.find(present.seeds, flood_.graph().meanLength * static_cast<double>(lambda_ + 1));
     for (std::size_t c = 0; c < centers.size(); ++c) {
-      if (!locked(present.seeds[c])) next_.seeds[c] = centers[c];
+      if (!options_.isLocked(present.seeds[c])) next_.seeds[c] = centers[c];
     }
     return cost;
   }
@@ -120,11 +119,6 @@ class Mcgim final : public GrowthMethod {
  private:
   /// With fewer charts than wanted, seeds need not rest quite: each new one unsettles them again.
   static constexpr std::size_t kRoundsOnTheWay = 4;
-
-  bool locked(Index face) const {
-    const auto& list = options_.locked;
-    return std::find(list.begin(), list.end(), face) != list.end();
-  }
 
   /// New seeds where growth came last, at most one a chart.
   GrowthStart moreCharts() const {

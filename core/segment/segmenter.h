@@ -1,6 +1,7 @@
 #pragma once
 /// The small interface that every segmentation method implements.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -136,6 +137,10 @@ struct SegmentOptions {
   bool record = true;  ///< keep a log of the present flood
   /// Told of each flood as it begins, on the thread that drives the stepper.
   std::function<void(const FloodStart&)> onFlood;
+
+  bool isLocked(Index seed) const {
+    return std::find(locked.begin(), locked.end(), seed) != locked.end();
+  }
 };
 
 }  // namespace chartflood

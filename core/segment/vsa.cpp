@@ -51,7 +51,7 @@ class Vsa final : public GrowthMethod {
     GrowthStart next;
     for (std::size_t c = 0; c < regions_.size(); ++c) {
       const Index seed = present_.seeds[c];
-      const bool stays = locked(seed) || regions_[c].best == kNone;
+      const bool stays = options_.isLocked(seed) || regions_[c].best == kNone;
       next.seeds.push_back(stays ? seed : regions_[c].best);
       next.normals.push_back(regions_[c].normal);
     }
@@ -91,14 +91,10 @@ class Vsa final : public GrowthMethod {
     GrowthStart start;
     double cost = 0;
     std::vector<VsaRegion> regions;
+    Index dearest = kNone;                       ///< face that the freed seed goes to
     std::vector<Index> mergedSeed;               ///< of each entry of `pairs`
     std::vector<std::pair<Index, Index>> pairs;  ///< cheapest first
   };
-
-  bool locked(Index face) const {
-    const auto& list = options_.locked;
-    return std::find(list.begin(), list.end(), face) != list.end();
-  }
 
   /// Seeds on the worst faces of the worst regions, one each: one at a time, or doubling with some
   /// rounds of rest between.
@@ -154,18 +150,21 @@ class Vsa final : public GrowthMethod {
   }
 
   void newBase(GrowthStart start) {
-    base_ = {std::move(start), *least_, regions_, {}, {}};
+    base_ = {std::move(start), *least_, regions_, kNone, {}, {}};
     tried_ = 0;
+    const Index worst = worstRegion();
+    base_->dearest = worstBut(regions_[worst], base_->start.seeds[worst]);
+    // A chart of one face costs something too, by rounding, but has no face to give away.
+    if (base_->dearest == kNone) return;
     const auto byCost = [&](const auto& a, const auto& b) {
       const double x = mergeCost(regions_[a.first], regions_[a.second]);
       const double y = mergeCost(regions_[b.first], regions_[b.second]);
       return x != y ? x < y : a < b;
     };
     base_->pairs = neighbourCharts(flood_.graph());
-    const Index worst = worstRegion();
     std::erase_if(base_->pairs, [&](const auto& pair) {
-      const bool both =
-          locked(base_->start.seeds[pair.first]) && locked(base_->start.seeds[pair.second]);
+      const bool both = options_.isLocked(base_->start.seeds[pair.first]) &&
+                        options_.isLocked(base_->start.seeds[pair.second]);
       return both || pair.first == worst || pair.second == worst ||
              !(mergeCost(regions_[pair.first], regions_[pair.second]) < 0.5 * regions_[worst].cost);
     });
@@ -193,18 +192,13 @@ class Vsa final : public GrowthMethod {
   GrowthStart teleported(std::size_t i) const {
     GrowthStart next = base_->start;
     auto [keeps, moves] = base_->pairs[i];
-    if (locked(next.seeds[moves])) std::swap(keeps, moves);
-    if (!locked(next.seeds[keeps]) && base_->mergedSeed[i] != kNone) {
+    if (options_.isLocked(next.seeds[moves])) std::swap(keeps, moves);
+    if (!options_.isLocked(next.seeds[keeps]) && base_->mergedSeed[i] != kNone) {
       next.seeds[keeps] = base_->mergedSeed[i];
     }
     next.normals[keeps] = mergedNormal(keeps, moves);
-    const auto worst =
-        std::max_element(base_->regions.begin(), base_->regions.end(),
-                         [](const VsaRegion& a, const VsaRegion& b) { return a.cost < b.cost; });
-    const std::size_t w = static_cast<std::size_t>(worst - base_->regions.begin());
-    const Index face = worstBut(*worst, next.seeds[w]);
-    next.seeds[moves] = face;
-    next.normals[moves] = glm::dvec3(faces()[face].normal);
+    next.seeds[moves] = base_->dearest;
+    next.normals[moves] = glm::dvec3(faces()[base_->dearest].normal);
     return next;
   }
 

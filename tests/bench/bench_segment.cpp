@@ -163,13 +163,14 @@ void chartFigures(benchmark::State& state, const std::string& name) {
   perFace(state, p);
 }
 
+template <const char* const& kMethod>
 void wholeSegmentation(benchmark::State& state, const std::string& name) {
   const Prepared& p = prepared(name);
   std::size_t rounds = 0;
   for (auto _ : state) {
     SegmentOptions options;
     options.record = false;
-    const auto stepper = findSegmenter("t-flooding")->make(p.in, options);
+    const auto stepper = findSegmenter(kMethod)->make(p.in, options);
     Progress progress;
     stepper->advance(StepUnit::Converged, 1, progress);
     rounds = stepper->history().size();
@@ -177,6 +178,10 @@ void wholeSegmentation(benchmark::State& state, const std::string& name) {
   perFace(state, p);
   state.counters["rounds"] = static_cast<double>(rounds);
 }
+
+constexpr const char* kTFlooding = "t-flooding";
+constexpr const char* kVsa = "vsa";
+constexpr const char* kMcgim = "mcgim";
 
 void registerAll(const std::string& mesh) {
   using Stage = void (*)(benchmark::State&, const std::string&);
@@ -189,7 +194,9 @@ void registerAll(const std::string& mesh) {
                                                   {"moves", borderMoves},
                                                   {"cuts", seamCuts},
                                                   {"figures", chartFigures},
-                                                  {"segment", wholeSegmentation}};
+                                                  {"segment", wholeSegmentation<kTFlooding>},
+                                                  {"vsa", wholeSegmentation<kVsa>},
+                                                  {"mcgim", wholeSegmentation<kMcgim>}};
   for (const auto& [name, stage] : stages) {
     benchmark::RegisterBenchmark((std::string(name) + "/" + mesh).c_str(),
                                  [stage = stage, mesh](benchmark::State& s) { stage(s, mesh); })

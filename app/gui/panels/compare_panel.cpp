@@ -12,7 +12,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr float kCaptionHeight = 58, kGrip = 12;
+constexpr float kCaptionHeight = 62, kGrip = 12;
 
 /// The letter on a plate, so that it is found at once.
 void badge(const Ui& ui, const std::string& name) {
@@ -32,16 +32,18 @@ void caption(const Ui& ui, ComparePane pane, ImVec2 low, ImVec2 high) {
   const std::string name = paneName(ui.state.compare, pane);
   const float pad = ui.px(8), button = pane.live() ? 0 : ui.px(64);
   ImGui::GetWindowDrawList()->AddRectFilled(low, high, ui.theme.palette.panel);
-  ImGui::SetCursorScreenPos({low.x + pad, low.y + ui.px(4)});
+  ImGui::SetCursorScreenPos({low.x + pad, low.y + ui.px(6)});
   ImGui::BeginGroup();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), ui.px(1)));
-  const float room = high.x - low.x - 2 * pad - button;
+  const float room = high.x - low.x - 2 * pad;
   badge(ui, name);
   ImGui::SameLine();
   ImGui::PushFont(ui.theme.strong);
   const float used = ImGui::GetCursorScreenPos().x - low.x - pad;
-  fittedText(ui, words.heading, room - used, ui.theme.palette.text);
+  fittedText(ui, words.heading, room - button - used, ui.theme.palette.text);
   ImGui::PopFont();
+  // Below the button, over the whole width.
+  ImGui::SetCursorScreenPos({low.x + pad, low.y + ui.px(29)});
   ImGui::PushFont(ui.theme.small);
   fittedText(ui, words.figures, room, ui.theme.palette.text);
   fittedText(ui, words.differing, room, ui.theme.palette.dim);
@@ -50,8 +52,8 @@ void caption(const Ui& ui, ComparePane pane, ImVec2 low, ImVec2 high) {
   ImGui::EndGroup();
   ui.probe.item("caption/" + name);
   if (pane.live()) return;
-  ImGui::SetCursorScreenPos({high.x - pad - button + ui.px(8), low.y + ui.px(6)});
-  textButton(ui, ("Use " + name).c_str(), "use " + name, {button - ui.px(8), 0});
+  ImGui::SetCursorScreenPos({high.x - pad - button + ui.px(8), low.y + ui.px(3)});
+  textButton(ui, ("Use " + name).c_str(), "use " + name, {button - ui.px(8), ui.px(24)});
 }
 
 void sideBySide(const Ui& ui, SceneSource* source, CompareMouse& mouse, ImVec2 low, ImVec2 high,

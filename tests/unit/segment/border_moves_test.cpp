@@ -3,42 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "core/charts/chart_stats.h"
-#include "core/flood/build_flood_graph.h"
-#include "core/gauss/compute_gauss_area.h"
 #include "core/segment/balance.h"
 #include "core/segment/border_moves.h"
-#include "core/segment/chart_areas.h"
-#include "core/segment/t_flooding.h"
 #include "tests/support/segmentation_checks.h"
-#include "tests/support/test_meshes.h"
+#include "tests/unit/segment/flooded.h"
 
 namespace chartflood {
 namespace {
 
-struct Flooded {
-  std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const GaussArea> gauss;
-  std::vector<double> face;
-  Segmentation state;
-
-  Flooded(std::shared_ptr<const Mesh> m, std::size_t charts) : mesh(std::move(m)) {
-    gauss = std::make_shared<GaussArea>(computeGaussArea(*mesh, 45));
-    face = faceGaussArea(*mesh, *gauss);
-    SegmentOptions options;
-    options.charts = charts;
-    const auto graph = std::make_shared<FloodGraph>(buildFloodGraph(*mesh, *gauss, {}));
-    const auto stepper = makeTFlooding({mesh, gauss, graph}, options);
-    Progress progress;
-    stepper->advance(StepUnit::Flood, 5, progress);
-    state = *stepper->state();
-  }
-  Segmentation relabelled(std::span<const Index> label) const {
-    Segmentation s = state;
-    s.label.assign(label.begin(), label.end());
-    s.areas = chartAreas(*mesh, *gauss, face, s.label, s.chartCount);
-    return s;
-  }
-};
+using test::Flooded;
 
 class MovesOn : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Samples, MovesOn,

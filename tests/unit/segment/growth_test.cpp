@@ -4,6 +4,7 @@
 #include <queue>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <gtest/gtest.h>
 
 #include "core/flood/build_flood_graph.h"
@@ -47,6 +48,28 @@ TEST(Vsa, FlatSidesAreFoundExactly) {
   const auto block = inputsOf(test::sampleMesh("l-block", 1500));
   const auto sides = finished("vsa", block, charts(8))->state();
   EXPECT_LT(vsaCost(*block.mesh, sides->label, 8), 1e-9);
+}
+
+/// Its sides are flat, but not along an axis: costs that should be 0 are what rounding left.
+std::shared_ptr<const Mesh> tiltedCube() {
+  const auto cube = test::sampleMesh("cube", 48);
+  InputMesh input = test::copyInput(*cube);
+  const glm::dmat3 turn{{0.8, 0.36, 0.48}, {-0.6, 0.48, 0.64}, {0, -0.8, 0.6}};
+  for (glm::dvec3& p : input.positions) p = turn * (p + glm::dvec3(0.3));
+  return test::rebuild(std::move(input));
+}
+
+class ManyCharts : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Methods, ManyCharts, testing::Values("vsa", "mcgim"));
+
+TEST_P(ManyCharts, UpToOneForEachFaceAreFound) {
+  const auto in = inputsOf(tiltedCube());
+  const std::size_t faces = in.mesh->faceCount();
+  for (std::size_t count = 1; count <= faces; count += count < faces - 3 ? 4 : 1) {
+    const auto state = finished(GetParam(), in, charts(count))->state();
+    EXPECT_EQ(state->chartCount, count);
+    test::expectValid(*in.mesh, *in.gaussArea, *state);
+  }
 }
 
 TEST(Vsa, KeepsTheCheapestRoundAndFitsTheMinimiser) {

@@ -7,16 +7,14 @@
 #include "core/base/parallel.h"
 #include "core/base/rng.h"
 #include "core/charts/chart_stats.h"
-#include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
 #include "core/segment/balance.h"
 #include "core/segment/chart_areas.h"
 #include "core/segment/face_clusters.h"
 #include "core/segment/max_flow.h"
-#include "core/segment/registry.h"
 #include "core/segment/seam_cuts.h"
 #include "tests/support/segmentation_checks.h"
-#include "tests/support/test_meshes.h"
+#include "tests/unit/segment/flooded.h"
 
 namespace chartflood {
 namespace {
@@ -82,34 +80,11 @@ TEST(MaxFlow, FindsTheLeastOfAllCutsAndGoesOnFromOneToTheNext) {
   }
 }
 
-struct Flooded {
-  std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const GaussArea> gauss;
-  std::vector<double> face;
-  double eta = 0;
-  Segmentation state;
-
-  Flooded(std::shared_ptr<const Mesh> m, std::size_t charts) : mesh(std::move(m)) {
-    gauss = std::make_shared<GaussArea>(computeGaussArea(*mesh, 45));
-    face = faceGaussArea(*mesh, *gauss);
-    SegmentOptions options;
-    options.charts = charts;
-    const auto graph = std::make_shared<FloodGraph>(buildFloodGraph(*mesh, *gauss, {}));
-    eta = graph->eta;
-    const auto stepper = findSegmenter("t-flooding")->make({mesh, gauss, graph}, options);
-    Progress progress;
-    stepper->advance(StepUnit::Flood, 4, progress);
-    state = *stepper->state();
-  }
+struct Flooded : test::Flooded {
+  using test::Flooded::Flooded;
   SeamCuts cuts(SeamCuts::Options options) const {
     options.eta = eta;
     return {*mesh, *gauss, face, state.label, state.chartCount, state.seeds, options};
-  }
-  Segmentation relabelled(std::span<const Index> label) const {
-    Segmentation s = state;
-    s.label.assign(label.begin(), label.end());
-    s.areas = chartAreas(*mesh, *gauss, face, s.label, s.chartCount);
-    return s;
   }
 };
 
