@@ -258,6 +258,26 @@ TEST(Presets, OthersSetWhatTheyName) {
   EXPECT_EQ(presetTable().size(), 5u);
 }
 
+TEST(WhyUnused, TellsOfMethodsAndBorders) {
+  Parameters values;
+  const auto why = [&](const char* id) { return whyUnused(values, *findParameter(id)); };
+  EXPECT_EQ(why("speed-power"), "");
+  EXPECT_EQ(why("balance-weight"), "");
+  EXPECT_NE(why("vsa-seeding"), "");
+  values.refine = "moves";
+  EXPECT_NE(why("balance-weight"), "");
+  EXPECT_EQ(why("clean-up"), "");
+  values.refine = "none";
+  EXPECT_NE(why("crease-weight"), "");
+  EXPECT_NE(why("clean-up"), "");
+  values = {};
+  values.method = "vsa";
+  EXPECT_NE(why("speed-power"), "");
+  EXPECT_EQ(why("vsa-seeding"), "");
+  EXPECT_NE(why("detect-cycles"), "");
+  EXPECT_EQ(why("charts"), "");
+}
+
 TEST(NearestSpelling, FindsTypingMistakes) {
   const std::vector<std::string> words{"charts", "sharp-angle", "speed-power", "seams", "seeds"};
   EXPECT_EQ(nearestSpelling("chart", words), "charts");
