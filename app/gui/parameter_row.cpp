@@ -224,6 +224,7 @@ void parameterRow(const Ui& ui, const ParameterInfo& info) {
   } else {
     numberControl(ui, info, asNumber(value), changed, row.width);
   }
+  if (!unused.empty()) ImGui::PopStyleVar();  // what says why is not dimmed
   const char* hint = "Ctrl+click to type a value.";
   const bool number = std::holds_alternative<int>(value) || std::holds_alternative<double>(value);
   tooltip(ui, info.id, info.label,
@@ -234,7 +235,6 @@ void parameterRow(const Ui& ui, const ParameterInfo& info) {
     iconButton(ui, Icon::Dice, "roll-seed", {side, side});
   }
   if (changed) resetButton(ui, info, row);
-  if (!unused.empty()) ImGui::PopStyleVar();
 }
 
 }  // namespace chartflood

@@ -92,9 +92,9 @@ PaneCaption paneCaption(const AppState& state, ComparePane pane) {
   if (figures.spread) caption.figures = format("spread %.1f %%", 100 * *figures.spread);
   if (figures.stretch) {
     caption.figures +=
-        format("   stretch %.3f \u00b1 %.3f", *figures.stretch, *figures.stretchStd);
+        format("  stretch %.3f \u00b1%.3f", *figures.stretch, *figures.stretchStd);
   }
-  if (figures.seams) caption.figures += format("   seams %.2f \u221aarea", *figures.seams);
+  if (figures.seams) caption.figures += format("  seams %.2f \u221aarea", *figures.seams);
   for (const ComparePane& other : compare.panes()) {
     if (other == pane) continue;
     caption.differing =
