@@ -6,10 +6,16 @@
 
 #include "app/cli/program.h"
 #include "app/gui/window_main.h"
+#include "core/base/log.h"
 
 namespace {
 
 int openWindow(const chartflood::Invocation& call) {
+  if (!call.session) {  // a session's are told when it is opened
+    for (const std::string& sentence : call.warnings) {
+      chartflood::logMessage(chartflood::LogLevel::Warning, sentence);
+    }
+  }
   chartflood::WindowOptions options;
   options.parameters = call.parameters;
   options.seeds = call.seeds;
@@ -18,6 +24,9 @@ int openWindow(const chartflood::Invocation& call) {
   options.file = call.file;
   options.sample = call.sample;
   options.triangles = call.triangles;
+  options.theme = call.theme;
+  options.navigation = call.navigation;
+  options.uiScale = call.uiScale;
   options.render = call.picture.settings;
   if (call.picture.camera.upIsZ) options.up = chartflood::UpAxis::Z;
   options.orthographic = call.picture.camera.orthographic;

@@ -1,5 +1,6 @@
 #include "app/cli/batch.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -42,6 +43,33 @@ std::string pictureBytes(const Results& results, const Invocation& call) {
   return {bytes.begin(), bytes.end()};
 }
 
+/// "out_007.png" for "out.png": numbers with as many digits as the last one has, 3 at least.
+std::filesystem::path frameName(const std::filesystem::path& file, std::size_t number,
+                                std::size_t count) {
+  std::string digits = std::to_string(number);
+  const std::size_t width = std::max<std::size_t>(3, std::to_string(count).size());
+  digits.insert(0, width - std::min(width, digits.size()), '0');
+  std::filesystem::path name = file;
+  name.replace_filename(file.stem().string() + '_' + digits + file.extension().string());
+  return name;
+}
+
+/// The picture, or every picture of a turntable or of a flood.
+void stagePictures(const Results& results, const Invocation& call, std::vector<StagedFile>& files) {
+  const std::size_t count = std::max(call.picture.turntable, call.picture.floodFilm);
+  if (count == 0) {
+    files.emplace_back(call.output, pictureBytes(results, call));
+    return;
+  }
+  const ImageTexts texts = pictureTexts(results);
+  drawFrames(results, call.picture, call.renderingBackend, [&](std::size_t i, const Image& image) {
+    const auto bytes = encodePng(image, texts);
+    files.emplace_back(frameName(call.output, i + 1, count),
+                       std::string(bytes.begin(), bytes.end()));
+    throwIfInterrupted();
+  });
+}
+
 /// The texture, as SVG or as a picture by the name's ending.
 std::string uvBytes(const Results& results, const Invocation& call) {
   const RenderSettings& look = call.picture.settings;
@@ -78,7 +106,7 @@ void checkTargets(const Invocation& call) {
 void writeOutputs(const Session& session, const Invocation& call) {
   const std::shared_ptr<const Results> results = session.results();
   std::vector<StagedFile> files;
-  if (!call.output.empty()) files.emplace_back(call.output, pictureBytes(*results, call));
+  if (!call.output.empty()) stagePictures(*results, call, files);
   throwIfInterrupted();
   if (!call.exportLabels.empty()) {
     files.emplace_back(call.exportLabels, labelsText(*results->mesh, results->segmentation->label));

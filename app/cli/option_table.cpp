@@ -40,7 +40,8 @@ void addParameters(std::vector<OptionInfo>& table) {
   for (const Preset& preset : presetTable()) presets.push_back(preset.id);
   table.push_back(
       {"preset", joined(presets), "Segmentation",
-       "Values for a purpose; options given beside it win. paper: the printed method."});
+       "Values for a purpose, also one saved in the window; options given beside it win. "
+       "paper: the printed method."});
   table.push_back({"seeds", "F,F,..", "Segmentation",
                    "Faces of the file (the first is 0) at which the charts begin."});
   table.push_back({"steps", "N", "Segmentation",
@@ -84,6 +85,11 @@ void addPicture(std::vector<OptionInfo>& table) {
   add("resolution", "W,H", "Size of the picture in pixels. Default: 1280,960.");
   add("supersampling", "1|2|4", "Samples a pixel in each direction, for smooth lines. Default: 2.");
   add("view", "3d|uv|both", "The model, its texture, or both side by side. Default: 3d.");
+  add("turntable", "N",
+      "So many pictures of a whole turn about the upright axis instead of one: F_001.png, ..");
+  add("flood-film", "N",
+      "So many pictures of the last flood on its way; the last one shows the charts: F_001.png, "
+      "..");
 }
 
 void addCamera(std::vector<OptionInfo>& table) {
@@ -106,6 +112,9 @@ void addGeneral(std::vector<OptionInfo>& table) {
   const auto add = [&](const char* name, const char* value, const char* help) {
     table.push_back({name, value, "General", help});
   };
+  add("theme", "dark|light|high-contrast", "Colours of the window, this time. Default: as last.");
+  add("ui-scale", "N", "Size of text and controls, 0.75 to 2.5, this time.");
+  add("navigation", "simple|blender|maya", "What the mouse buttons do, this time.");
   add("sample", "NAME", "Use a model that the program makes; --list-samples names them.");
   add("triangles", "N", "About how many triangles the sample gets.");
   add("threads", "N", "Threads to work with; 0: one a core. Never changes a result. Default: 0.");

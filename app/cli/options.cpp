@@ -6,7 +6,9 @@
 #include "app/cli/option_table.h"
 #include "app/cli/tokens.h"
 #include "app/cli/values.h"
+#include "app/host/preferences.h"
 #include "app/host/session_view.h"
+#include "app/host/standard_paths.h"
 #include "core/base/error.h"
 #include "render/color_map.h"
 
@@ -35,7 +37,7 @@ void readSessionInput(const Tokens& tokens, Invocation& call) {
   call.parameters = call.session->parameters;
   ViewSettings view;
   view.render = call.picture.settings;
-  call.sessionWarnings = applyViewValues(call.session->view, view);
+  call.warnings = applyViewValues(call.session->view, view);
   call.picture.settings = view.render;
   CameraOptions& camera = call.picture.camera;
   if (!view.frameWhenLoaded) camera.saved = view.camera;
@@ -47,8 +49,18 @@ void readParameters(const Tokens& tokens, Invocation& call) {
   if (tokens.has("preset")) {
     std::vector<std::string> names;
     for (const Preset& preset : presetTable()) names.push_back(preset.id);
+    std::string ignored;  // settings that the preset does not need
+    const Preferences likes = readPreferences(configFolder(), stateFolder(), ignored);
+    for (const UserPreset& preset : likes.presets) names.push_back(preset.name);
     const std::string name = readChoice("preset", tokens.text("preset"), names);
-    call.parameters = applyPreset(call.parameters, *findPreset(name));
+    if (const Preset* preset = findPreset(name)) {
+      call.parameters = applyPreset(call.parameters, *preset);
+    } else {
+      std::string warning;
+      call.parameters =
+          applyUserPreset(call.parameters, *findUserPreset(likes.presets, name), warning);
+      if (!warning.empty()) call.warnings.push_back(warning);
+    }
   }
   for (const ParameterInfo& info : parameterTable()) {
     if (!tokens.has(info.id)) continue;
@@ -159,6 +171,27 @@ void readPicture(const Tokens& tokens, PictureOptions& picture) {
   }
 }
 
+void readFrames(const Tokens& tokens, Invocation& call) {
+  constexpr std::size_t kMostFrames = 10'000;
+  PictureOptions& picture = call.picture;
+  const auto read = [&](const char* option, std::size_t& value) {
+    if (!tokens.has(option)) return;
+    value = readCount(option, tokens.text(option), 2, kMostFrames);
+    if (call.output.empty()) {
+      throw UsageError(std::string("--") + option +
+                       " says how many pictures there are, not where: give --output=F.png, too.");
+    }
+    if (picture.view == PictureOptions::View::Uv && std::string_view(option) == "turntable") {
+      throw UsageError("--turntable turns the model: leave --view=uv out.");
+    }
+  };
+  read("turntable", picture.turntable);
+  read("flood-film", picture.floodFilm);
+  if (picture.turntable > 0 && picture.floodFilm > 0) {
+    throw UsageError("--turntable and --flood-film exclude each other: leave one out.");
+  }
+}
+
 double readWithin(const Tokens& tokens, const std::string& option, double least, double most,
                   const std::string& allowed) {
   const double value = readNumber(option, tokens.text(option));
@@ -231,6 +264,21 @@ void readGeneral(const Tokens& tokens, Invocation& call) {
   }
 }
 
+void readWindow(const Tokens& tokens, Invocation& call) {
+  if (tokens.has("theme")) {
+    std::vector<std::string> names;
+    for (const ThemeInfo& theme : themeTable()) names.emplace_back(theme.id);
+    call.theme = readChoice("theme", tokens.text("theme"), names);
+  }
+  if (tokens.has("navigation")) {
+    const std::vector<std::string> styles{"simple", "blender", "maya"};
+    call.navigation = readChoice("navigation", tokens.text("navigation"), styles);
+  }
+  if (tokens.has("ui-scale")) {
+    call.uiScale = readWithin(tokens, "ui-scale", 0.75, 2.5, "from 0.75 to 2.5");
+  }
+}
+
 void readInput(const Tokens& tokens, Invocation& call) {
   if (tokens.files.size() > 1) {
     throw UsageError("Only one file can be opened: " + tokens.files[1] + " is one too many.");
@@ -288,8 +336,10 @@ Invocation readOptions(std::span<const std::string> words) {
   readSteps(tokens, call);
   readFiles(tokens, call);
   readPicture(tokens, call.picture);
+  readFrames(tokens, call);
   readCamera(tokens, call.picture.camera);
   readGeneral(tokens, call);
+  readWindow(tokens, call);
   readInput(tokens, call);
   call.task = readTask(tokens, call);
   return call;

@@ -41,6 +41,8 @@ struct PictureOptions {
   int width = 1280, height = 960;  ///< pixels
   int supersampling = 2;           ///< samples a pixel in each direction
   CameraOptions camera;
+  std::size_t turntable = 0;  ///< pictures of a whole turn; 0: a single picture
+  std::size_t floodFilm = 0;  ///< pictures of the last flood; 0: a single picture
 };
 
 /// One call of the program.
@@ -52,9 +54,9 @@ struct Invocation {
   std::string sample = kFirstSample;
   std::size_t triangles = 0;  ///< of the sample; 0: its own number
 
-  std::optional<SessionFile> session;        ///< the input is a session with this content
-  std::filesystem::path sessionFile;         ///< where it was read from
-  std::vector<std::string> sessionWarnings;  ///< about its view
+  std::optional<SessionFile> session;  ///< the input is a session with this content
+  std::filesystem::path sessionFile;   ///< where it was read from
+  std::vector<std::string> warnings;   ///< about its view, or a preset
 
   Parameters parameters;
   bool chartsGiven = false;          ///< --charts was written
@@ -70,6 +72,9 @@ struct Invocation {
   std::filesystem::path saveSession;   ///< "": none
   std::string report;                  ///< file name, "-" for standard output, "": none
   PictureOptions picture;
+
+  std::string theme, navigation;  ///< of the window; "": as the preferences say
+  double uiScale = 0;             ///< the same; 0: as they say
 
   LogLevel verbose = LogLevel::Warning;
   unsigned threads = 0;  ///< 0: one a core

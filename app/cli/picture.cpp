@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
+
 #include "app/cli/camera_options.h"
 #include "core/gauss/sector_normals.h"
 #include "render/corner_uv.h"
@@ -52,27 +55,78 @@ void fill(Renderer& renderer, const Results& results) {
   if (results.flat) fillFlat(renderer, results);
 }
 
+Camera pictureCamera(const Results& results, const PictureOptions& options) {
+  const bool both = options.view == PictureOptions::View::Both;
+  const int width =
+      both ? widthsOfBoth({.width = options.width, .height = options.height}).scene : options.width;
+  return cameraFromOptions(*results.mesh, options.camera,
+                           static_cast<double>(width) / options.height);
+}
+
+/// A camera whose whole turn keeps the model in the picture, unless one was asked for.
+Camera turntableCamera(const Results& results, const PictureOptions& options) {
+  Camera camera = pictureCamera(results, options);
+  if (options.camera.given || options.camera.saved) return camera;
+  constexpr int kAngles = 24;
+  const double aspect = static_cast<double>(options.width) / options.height;
+  const auto points = results.mesh->positions();
+  camera.target = boundingSphere(points).center;
+  double distance = 0;
+  for (int i = 0; i < kAngles; ++i) {
+    Camera turned = camera;
+    turned.orbit(2 * glm::pi<double>() * i / kAngles, 0);
+    turned.frame(points, aspect);
+    distance = std::max(distance, turned.distance + glm::distance(turned.target, camera.target));
+  }
+  camera.distance = distance;
+  return camera;
+}
+
+/// One picture with everything uploaded. `settings` are without the scale of lines and letters.
+Image drawView(Renderer& renderer, const PictureOptions& options, RenderSettings settings,
+               const Camera& camera) {
+  using View = PictureOptions::View;
+  const PictureSize size{
+      .width = options.width, .height = options.height, .supersampling = options.supersampling};
+  settings.pixelScale = pixelScale(options.width, options.height);
+  const UvCamera texture = UvCamera::whole();
+  if (options.view == View::Uv) return renderUvImage(renderer, texture, settings, {}, size);
+  if (options.view == View::Both) {
+    return renderBothImage(renderer, camera, texture, settings, {}, size);
+  }
+  return renderImage(renderer, camera, settings, size);
+}
+
 }  // namespace
 
 Image drawPicture(const Results& results, const PictureOptions& options,
                   const std::string& backend) {
-  using View = PictureOptions::View;
   const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
   const gl::CurrentScope current(*context);
   Renderer renderer;
   fill(renderer, results);
-  const PictureSize size{
-      .width = options.width, .height = options.height, .supersampling = options.supersampling};
-  RenderSettings settings = options.settings;
-  settings.pixelScale = pixelScale(options.width, options.height);
-  const UvCamera texture = UvCamera::whole();
-  if (options.view == View::Uv) return renderUvImage(renderer, texture, settings, {}, size);
-  const bool both = options.view == View::Both;
-  const int width = both ? widthsOfBoth(size).scene : size.width;
-  const Camera camera =
-      cameraFromOptions(*results.mesh, options.camera, static_cast<double>(width) / size.height);
-  if (both) return renderBothImage(renderer, camera, texture, settings, {}, size);
-  return renderImage(renderer, camera, settings, size);
+  return drawView(renderer, options, options.settings, pictureCamera(results, options));
+}
+
+void drawFrames(const Results& results, const PictureOptions& options, const std::string& backend,
+                const std::function<void(std::size_t, const Image&)>& take) {
+  const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
+  const gl::CurrentScope current(*context);
+  Renderer renderer;
+  fill(renderer, results);
+  const bool turns = options.turntable > 0;
+  const std::size_t count = turns ? options.turntable : options.floodFilm;
+  const Camera first = turns ? turntableCamera(results, options) : pictureCamera(results, options);
+  for (std::size_t i = 0; i < count; ++i) {
+    Camera camera = first;
+    RenderSettings settings = options.settings;
+    if (turns) {
+      camera.orbit(2 * glm::pi<double>() * static_cast<double>(i) / static_cast<double>(count), 0);
+    } else if (i + 1 < count) {  // the last one shows the charts with their tidied borders
+      settings.playhead = results.record->size() * i / (count - 1);
+    }
+    take(i, drawView(renderer, options, settings, camera));
+  }
 }
 
 Image drawTexture(const Results& results, const PictureOptions& options,

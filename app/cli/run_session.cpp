@@ -101,14 +101,14 @@ bool keepsCharts(const Invocation& call) {
 
 /// Seeds and charts of the session that is the input. True when its charts are there again.
 bool takeSession(Session& session, const Invocation& call) {
-  if (!call.session) return false;
-  const auto results = session.results();
-  SessionContent content = sessionContent(*call.session, *results->mesh, results->checksum);
   const auto warn = [](const std::vector<std::string>& sentences) {
     for (const std::string& sentence : sentences) logMessage(LogLevel::Warning, sentence);
   };
+  warn(call.warnings);
+  if (!call.session) return false;
+  const auto results = session.results();
+  SessionContent content = sessionContent(*call.session, *results->mesh, results->checksum);
   warn(call.session->warnings);
-  warn(call.sessionWarnings);
   warn(content.warnings);
   if (!call.seeds.empty()) return false;
   Document document{call.parameters, content.document.seeds};

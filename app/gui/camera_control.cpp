@@ -48,16 +48,17 @@ glm::dvec2 ViewRectangle::ndc(ImVec2 place) const {
 }
 
 void dragCamera(Camera& camera, CameraMotion motion, const ViewRectangle& view, ImVec2 from,
-                ImVec2 to, bool invertZoom) {
+                ImVec2 to, const Preferences& likes) {
   const double dx = static_cast<double>(to.x - from.x) / view.height();
   const double dy = static_cast<double>(to.y - from.y) / view.height();
   switch (motion) {
   case CameraMotion::Orbit:
-    return camera.orbit(kTurn * dx, kTurn * dy);
+    return camera.orbit(kTurn * (likes.invertTurnX ? -dx : dx),
+                        kTurn * (likes.invertTurnY ? -dy : dy));
   case CameraMotion::Pan:
     return camera.pan(view.ndc(from), view.ndc(to), view.aspect());
   case CameraMotion::Zoom:
-    return camera.zoom(std::exp(kDragZoom * (invertZoom ? -dy : dy)), {0, 0}, view.aspect());
+    return camera.zoom(std::exp(kDragZoom * (likes.invertZoom ? -dy : dy)), {0, 0}, view.aspect());
   case CameraMotion::None:
     return;
   }

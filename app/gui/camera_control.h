@@ -26,7 +26,7 @@ struct ViewRectangle {
 
 /// Moves the camera by a drag from one place of the window to another.
 void dragCamera(Camera& camera, CameraMotion motion, const ViewRectangle& view, ImVec2 from,
-                ImVec2 to, bool invertZoom);
+                ImVec2 to, const Preferences& likes);
 
 /// One notch of the wheel forward comes closer to what is under the mouse.
 void wheelCamera(Camera& camera, const ViewRectangle& view, ImVec2 place, float notches,

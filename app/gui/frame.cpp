@@ -50,11 +50,11 @@ bool repeats(const Chord& chord) {
 }  // namespace
 
 Frame::Frame(AppState& state, const ActionRegistry& actions, float scale)
-    : state_(state), actions_(actions), theme_(applyTheme(scale)) {}
+    : state_(state), actions_(actions), theme_(applyTheme(scale, state.preferences.theme)) {}
 
 void Frame::setScale(float scale) {
   const float ratio = scale / theme_.scale;
-  theme_ = applyTheme(scale);
+  theme_ = applyTheme(scale, state_.preferences.theme);
   memory_.leftWidth = std::round(memory_.leftWidth * ratio);
   memory_.rightWidth = std::round(memory_.rightWidth * ratio);
 }
@@ -157,6 +157,9 @@ void Frame::drawScene(const Ui& ui, const Layout& layout, SceneSource* source) {
   beginFixed("scene", low, {high.x - low.x, high.y - low.y}, theme_.palette.ground, {0, 0},
              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
                  ImGuiWindowFlags_NoNav);
+  const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
+  state_.panels.viewWidth = static_cast<int>((high.x - low.x) * pixels.x);
+  state_.panels.viewHeight = static_cast<int>((high.y - low.y) * pixels.y);
   if (state_.compare.showing()) {
     comparePanel(ui, source, sideMouse_);
   } else {
@@ -198,6 +201,7 @@ void Frame::draw(SceneSource* source, UvSource* uvSource) {
   memory_.wakeIn = kNever;
   memory_.hoveredSeen = false;
   memory_.pointed = kNone;
+  if (theme_.kind != state_.preferences.theme) recolor(theme_, state_.preferences.theme);
   const Ui ui{state_, actions_, theme_, probe_, memory_};
   takeChartColors(source);
   const Layout layout = layOut();
@@ -209,8 +213,12 @@ void Frame::draw(SceneSource* source, UvSource* uvSource) {
   keysWindow(ui);
   logWindow(ui);
   aboutWindow(ui);
+  preferencesWindow(ui);
+  pictureDialog(ui);
   browser_.draw(ui);
   unsavedQuestion(ui);
+  presetNameQuestion(ui);
+  actionPalette(ui);
   ui.wakeIn(state_.keeper.dueIn());
   if (!memory_.hoveredSeen) memory_.hovered.clear();
   if (state_.pointedChart != memory_.pointed) {
@@ -224,14 +232,17 @@ bool Frame::key(const Chord& chord, bool repeated) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool browsing = state_.panels.browse != PanelState::Browse::Nothing;
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+  const bool searching = state_.panels.search;
   const bool quits = chord == Chord{.key = "Q", .ctrl = true};
-  if (!quits && (io.WantTextInput || browsing || popup || !memory_.typing.empty())) return false;
+  if (!quits && (io.WantTextInput || browsing || searching || popup || !memory_.typing.empty()))
+    return false;
   const bool widgetHasKeys = io.NavVisible && !GImGui->NavDisableHighlight;
   const bool navigates = chord.key == "Space" || chord.key == "Enter" || chord.key == "Left" ||
                          chord.key == "Right" || chord.key == "Esc";
   if (widgetHasKeys && navigates && !chord.ctrl) return false;
   if (state_.seedDrag && chord.key == "Esc") return state_.perform(actions_, "put-back");
-  const bool textWindow = state_.panels.keys || state_.panels.log || state_.panels.about;
+  const bool textWindow = state_.panels.keys || state_.panels.log || state_.panels.about ||
+                          state_.panels.preferences || state_.panels.picture;
   if (textWindow && chord.key == "Esc") return false;
   if (repeated && !repeats(chord)) return false;
   if (state_.panels.firstCard) state_.perform(actions_, "first-steps off");

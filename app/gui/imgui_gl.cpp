@@ -66,6 +66,7 @@ void ImguiGl::setState(const ImDrawData& data) {
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   program_.use();
   program_.set("uTexture", 0);
+  program_.set("uVision", visionMatrix(vision_));
   program_.set("uOrigin", glm::vec2(data.DisplayPos.x, data.DisplayPos.y));
   program_.set("uSize", glm::vec2(data.DisplaySize.x, data.DisplaySize.y));
   glActiveTexture(GL_TEXTURE0);
@@ -110,7 +111,10 @@ void ImguiGl::drawList(const ImDrawList& list, const ImDrawData& data) {
     const auto bottom = static_cast<GLint>((command.ClipRect.w - origin.y) * scale.y);
     if (right <= left || bottom <= top) continue;
     glScissor(left, pixelsHigh - bottom, right - left, bottom - top);
-    glBindTexture(GL_TEXTURE_2D, textureName(command.GetTexID()));
+    const GLuint texture = textureName(command.GetTexID());
+    const bool picture = texture != fonts_.id();
+    program_.set("uSimulate", picture && vision_ != ColorVision::Full ? 1 : 0);
+    glBindTexture(GL_TEXTURE_2D, texture);
     glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), kIndexType,
                              at(command.IdxOffset * sizeof(ImDrawIdx)),
                              static_cast<GLint>(command.VtxOffset));

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include "render/color_vision.h"
 #include "render/gl/objects.h"
 #include "render/gl/program.h"
 
@@ -16,6 +17,8 @@ class ImguiGl {
 
   /// Uploads the font atlas; again after every change of it.
   void uploadFonts();
+  /// From now on pictures, unlike letters and controls, are shown as seen with this vision.
+  void setVision(ColorVision vision) { vision_ = vision; }
   /// Draws into the framebuffer that is bound.
   void draw(const ImDrawData& data);
 
@@ -27,6 +30,7 @@ class ImguiGl {
   gl::VertexArray vertexArray_;
   gl::Buffer vertices_, indices_;
   gl::Texture fonts_;
+  ColorVision vision_ = ColorVision::Full;
 };
 
 /// The identity that Dear ImGui knows a GL texture by.

@@ -212,7 +212,14 @@ void parameterRow(const Ui& ui, const ParameterInfo& info) {
   const RowLayout row(ui, dice ? side + ui.px(4) : 0);
   const std::string unused = whyUnused(ui.state.document().parameters, info);
   if (!unused.empty()) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, kDimmed);
+  const bool wanted = ui.state.panels.shownParameter == info.id;
+  if (wanted) ui.state.panels.shownParameter.clear();
   rowLabel(ui, info, row);
+  if (wanted) {
+    ImGui::SetScrollHereY(0.3f);
+    ImGui::SetKeyboardFocusHere();
+    GImGui->NavDisableHighlight = false;
+  }
   if (const bool* on = std::get_if<bool>(&value)) {
     bool flag = *on;
     if (ImGui::Checkbox((std::string("##") + info.id).c_str(), &flag)) {

@@ -6,7 +6,7 @@
 #include <future>
 #include <string>
 
-#include "app/gui/scene_view.h"
+#include "app/gui/compare_scene.h"
 #include "app/host/app_state.h"
 #include "render/image.h"
 
@@ -22,7 +22,7 @@ class PictureTaker {
   PictureTaker& operator=(const PictureTaker&) = delete;
 
   /// Takes what the state asks for, with a current GL context, and says what became of it.
-  void update(AppState& state, SceneView& scene, float pixelScale);
+  void update(AppState& state, CompareScene& scene, float pixelScale);
 
  private:
   /// What a written file or a failure has to say.
@@ -31,7 +31,7 @@ class PictureTaker {
     std::string sentence;
   };
 
-  void take(const AppState& state, SceneView& scene, const PictureRequest& request,
+  void take(const AppState& state, CompareScene& scene, const PictureRequest& request,
             float pixelScale);
   /// Has the picture written by another thread.
   void write(const AppState& state, const PictureRequest& request, Image image);

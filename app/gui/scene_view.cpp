@@ -33,6 +33,7 @@ bool isReady(const std::future<Value>& future) {
 
 RenderSettings sceneSettings(const AppState& state, float pixelScale) {
   RenderSettings settings = state.view.render;
+  settings.background = shownGround(settings.background, state.preferences.theme);
   settings.pixelScale = pixelScale;
   settings.playhead.reset();
   if (!state.showsFinal()) settings.playhead = state.playback.playhead();

@@ -18,30 +18,92 @@ constexpr Palette kDark = {
     .ground = rgb(0x2B2B2B),
     .panel = rgb(0x242526),
     .bar = rgb(0x1D1E1F),
+    .popup = rgb(0x2C2E30),
     .control = rgb(0x35373A),
     .controlHovered = rgb(0x404347),
-    .controlActive = rgb(0x4A4E53),
+    .controlActive = rgb(0x45494D),
     .line = rgb(0x3A3C3F),
     .text = rgb(0xE6E7E8),
-    .dim = rgb(0xA2A6AA),
-    .accent = rgb(0x4FA3C7),
-    .accentSoft = rgb(0x2F5D73),
+    .dim = rgb(0xB6BABE),
+    .accent = rgb(0x57ABCF),
+    .accentSoft = rgb(0x284D5F),
     .front = rgb(0xF2C14E),
     .good = rgb(0x6CC08B),
     .warning = rgb(0xE5B567),
-    .error = rgb(0xE0736B),
+    .error = rgb(0xEB8A82),
+    .veil = rgb(0x181818, 200),
+    .axisX = rgb(0xD97B73),
+    .axisY = rgb(0x8CBF7A),
+    .axisZ = rgb(0x749FD6),
+    .ball = rgb(0x46484B),
+    .ballRim = rgb(0x292A2C),
+};
+
+constexpr Palette kLight = {
+    .ground = rgb(0xE9EAEC),
+    .panel = rgb(0xF6F6F7),
+    .bar = rgb(0xE6E8EA),
+    .popup = rgb(0xFFFFFF),
+    .control = rgb(0xDFE1E4),
+    .controlHovered = rgb(0xD3D6DA),
+    .controlActive = rgb(0xC9CDD2),
+    .line = rgb(0xC4C8CD),
+    .text = rgb(0x1B1D1F),
+    .dim = rgb(0x494E53),
+    .accent = rgb(0x1A6A90),
+    .accentSoft = rgb(0xB5D8E8),
+    .front = rgb(0x8A4A00),
+    .good = rgb(0x1B6E3E),
+    .warning = rgb(0x7D5200),
+    .error = rgb(0xA82E25),
+    .veil = rgb(0xF8F8F8, 200),
+    .axisX = rgb(0xB03A30),
+    .axisY = rgb(0x35702A),
+    .axisZ = rgb(0x2459A5),
+    .ball = rgb(0xE2E4E6),
+    .ballRim = rgb(0xBFC3C7),
+};
+
+constexpr Palette kHighContrast = {
+    .ground = rgb(0x000000),
+    .panel = rgb(0x000000),
+    .bar = rgb(0x000000),
+    .popup = rgb(0x0A0A0A),
+    .control = rgb(0x1C1C1C),
+    .controlHovered = rgb(0x333333),
+    .controlActive = rgb(0x3D3D3D),
+    .line = rgb(0xC8C8C8),
+    .text = rgb(0xFFFFFF),
+    .dim = rgb(0xE4E4E4),
+    .accent = rgb(0x5CD3FF),
+    .accentSoft = rgb(0x004A6E),
+    .front = rgb(0xFFD400),
+    .good = rgb(0x6CFF9E),
+    .warning = rgb(0xFFD066),
+    .error = rgb(0xFFA9A2),
+    .veil = rgb(0x000000, 235),
+    .axisX = rgb(0xFF9C94),
+    .axisY = rgb(0x9CF08A),
+    .axisZ = rgb(0x9CC6FF),
+    .ball = rgb(0x303030),
+    .ballRim = rgb(0x101010),
 };
 
 ImVec4 vec(ImU32 color) { return ImGui::ColorConvertU32ToFloat4(color); }
 
 void setColors(ImGuiStyle& style, const Palette& p) {
-  ImGui::StyleColorsDark(&style);
+  const bool light = &p == &kLight;
+  if (light) {
+    ImGui::StyleColorsLight(&style);
+  } else {
+    ImGui::StyleColorsDark(&style);
+  }
   auto set = [&](ImGuiCol index, ImU32 color) { style.Colors[index] = vec(color); };
   set(ImGuiCol_Text, p.text);
   set(ImGuiCol_TextDisabled, p.dim);
   set(ImGuiCol_WindowBg, p.panel);
   set(ImGuiCol_ChildBg, rgb(0, 0));
-  set(ImGuiCol_PopupBg, rgb(0x2C2E30));
+  set(ImGuiCol_PopupBg, p.popup);
   set(ImGuiCol_MenuBarBg, p.bar);
   set(ImGuiCol_Border, p.line);
   set(ImGuiCol_Separator, p.line);
@@ -62,8 +124,8 @@ void setColors(ImGuiStyle& style, const Palette& p) {
   set(ImGuiCol_TabActive, p.control);
   set(ImGuiCol_TableHeaderBg, p.bar);
   set(ImGuiCol_TableRowBg, rgb(0, 0));
-  set(ImGuiCol_TableRowBgAlt, rgb(0xFFFFFF, 6));
-  set(ImGuiCol_TableBorderLight, rgb(0x303234));
+  set(ImGuiCol_TableRowBgAlt, light ? rgb(0x000000, 8) : rgb(0xFFFFFF, 6));
+  set(ImGuiCol_TableBorderLight, p.line);
   set(ImGuiCol_TableBorderStrong, p.line);
   set(ImGuiCol_ScrollbarBg, rgb(0, 0));
   set(ImGuiCol_ScrollbarGrab, p.control);
@@ -74,6 +136,8 @@ void setColors(ImGuiStyle& style, const Palette& p) {
   set(ImGuiCol_TextSelectedBg, p.accentSoft);
   set(ImGuiCol_TitleBg, p.bar);
   set(ImGuiCol_TitleBgActive, p.bar);
+  // Where grounds hardly differ, controls have edges.
+  style.FrameBorderSize = &p == &kHighContrast ? 1.0f : 0.0f;
 }
 
 void setSizes(ImGuiStyle& style, float scale) {
@@ -87,7 +151,6 @@ void setSizes(ImGuiStyle& style, float scale) {
   style.WindowBorderSize = 0;
   style.ChildBorderSize = 0;
   style.PopupBorderSize = 1;
-  style.FrameBorderSize = 0;
   style.WindowRounding = 0;
   style.ChildRounding = 0;
   style.FrameRounding = 4;
@@ -118,14 +181,31 @@ ImFont* addFont(std::span<const unsigned char> data, float pixels) {
 
 float Theme::px(float length) const { return std::round(length * scale); }
 
-Theme applyTheme(float scale) {
+const Palette& themePalette(ThemeKind kind) {
+  switch (kind) {
+  case ThemeKind::Light:
+    return kLight;
+  case ThemeKind::HighContrast:
+    return kHighContrast;
+  case ThemeKind::Dark:
+    break;
+  }
+  return kDark;
+}
+
+void recolor(Theme& theme, ThemeKind kind) {
+  theme.kind = kind;
+  theme.palette = themePalette(kind);
+  setColors(ImGui::GetStyle(), themePalette(kind));
+}
+
+Theme applyTheme(float scale, ThemeKind kind) {
   Theme theme;
   theme.scale = scale;
-  theme.palette = kDark;
 
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();
-  setColors(style, theme.palette);
+  recolor(theme, kind);
   setSizes(style, scale);
 
   ImFontAtlas* atlas = ImGui::GetIO().Fonts;

@@ -22,6 +22,10 @@ struct UiMemory {
   std::string typing;        ///< label of the slider that is being typed into
   std::string typed;         ///< what was typed so far
   bool typingBegins = false;
+  std::string presetName;          ///< what was typed as the name of a preset
+  std::string searched;            ///< what was typed into the search for actions
+  std::size_t searchRow = 0;       ///< the chosen line below it
+  bool searchOpen = false;         ///< it was open in the last frame
   Index pointed = kNone;           ///< chart that a plot or list says is under the mouse
   std::vector<ImU32> chartColors;  ///< as on the model, by number; empty: not known
   /// Under the mouse in the last frame; out of range: none. Readouts stand above their plots.

@@ -118,12 +118,12 @@ void switchRow(const Ui& ui, const char* words, bool on, std::string_view line) 
   if (clicked) ui.run(line);
 }
 
-bool section(const Ui& ui, const char* title, bool openAtFirst) {
+bool section(const Ui& ui, const char* title, bool openAtFirst, bool openNow) {
   ImGui::Dummy({0, ui.px(1)});
   ImGui::PushFont(ui.theme.strong);
   ImGui::PushStyleColor(ImGuiCol_Header, ui.theme.palette.bar);
   ImGui::PushStyleColor(ImGuiCol_HeaderHovered, ui.theme.palette.control);
-  ImGui::SetNextItemOpen(openAtFirst, ImGuiCond_Once);
+  ImGui::SetNextItemOpen(openAtFirst || openNow, openNow ? ImGuiCond_Always : ImGuiCond_Once);
   const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_SpanAvailWidth);
   ImGui::PopStyleColor(2);
   ImGui::PopFont();

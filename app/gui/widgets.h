@@ -47,8 +47,8 @@ void barSlider(const Ui& ui, const BarSlider& slider, float width);
 /// A row of the parameter table: label, symbol, control, reset. Fits the present width.
 void parameterRow(const Ui& ui, const ParameterInfo& info);
 
-/// A heading that folds what follows; returns whether it is open.
-bool section(const Ui& ui, const char* title, bool openAtFirst = true);
+/// A heading that folds what follows, unfolded when `openNow`; returns whether it is open.
+bool section(const Ui& ui, const char* title, bool openAtFirst = true, bool openNow = false);
 
 /// A vertical line between two panels that can be dragged; changes `width` of the left one, or of
 /// the right one when `right`.

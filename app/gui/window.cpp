@@ -236,10 +236,11 @@ class Window::Parts {
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
     frame_.draw(&sides_, &uv_);
+    drawer_.setVision(state_.view.vision);
     ImGui::Render();
     present();
     deadline_ = now() + frame_.wakeIn();
-    pictures_.update(state_, scene_, frame_.scale());
+    pictures_.update(state_, sides_, frame_.scale());
     answerRequests();
     writeProbe();
   }

@@ -24,11 +24,35 @@ void loadPreferences(AppState& state) {
   state.panels.firstCard = state.preferences.firstCard;
 }
 
+/// Options hold for this time: what the user does not change goes back to what it was.
+class PreferredByOptions {
+ public:
+  PreferredByOptions(Preferences& preferences, const WindowOptions& options)
+      : before_(preferences) {
+    if (const ThemeInfo* theme = findTheme(options.theme)) preferences.theme = theme->kind;
+    if (!options.navigation.empty()) {
+      preferences.navigation = navigationStyleFromId(options.navigation);
+    }
+    if (options.uiScale > 0) preferences.uiScale = options.uiScale;
+    given_ = preferences;
+  }
+  void takeBack(Preferences& preferences) const {
+    if (preferences.theme == given_.theme) preferences.theme = before_.theme;
+    if (preferences.navigation == given_.navigation) preferences.navigation = before_.navigation;
+    if (preferences.uiScale == given_.uiScale) preferences.uiScale = before_.uiScale;
+  }
+
+ private:
+  Preferences before_, given_;
+};
+
 /// The card of first steps is shown until it was once put away.
-void savePreferences(AppState& state) {
+void savePreferences(AppState& state, const PreferredByOptions& preferred) {
   if (!state.panels.firstCard) state.preferences.firstCard = false;
+  Preferences kept = state.preferences;
+  preferred.takeBack(kept);
   try {
-    writePreferences(state.preferences, configFolder(), stateFolder());
+    writePreferences(kept, configFolder(), stateFolder());
   } catch (const Error& error) {
     logMessage(LogLevel::Warning, error.what());
   }
@@ -79,6 +103,8 @@ int runWindow(const WindowOptions& options) {
   const ActionRegistry actions = makeActionRegistry();
   AppState state(Session::Worker::Background);
   loadPreferences(state);
+  const PreferredByOptions preferred(state.preferences, options);
+  state.keepPreferences = [&] { savePreferences(state, preferred); };
   state.keeper.recovery.begin(stateFolder());
   {
     Window window(
@@ -87,7 +113,7 @@ int runWindow(const WindowOptions& options) {
     begin(state, options);
     window.run();
   }
-  savePreferences(state);
+  savePreferences(state, preferred);
   return EXIT_SUCCESS;
 }
 

@@ -82,9 +82,12 @@ ActionRegistry makeActionRegistry() {
   addSegmentActions(registry);
   addSeedActions(registry);
   addViewActions(registry);
+  addLookActions(registry);
+  addPresetActions(registry);
   addChartActions(registry);
   addFilmActions(registry);
   addCompareActions(registry);
+  addPictureActions(registry);
   addInsightActions(registry);
   addExportActions(registry);
   return registry;

@@ -17,6 +17,10 @@ void addEditActions(ActionRegistry& registry);
 void addSegmentActions(ActionRegistry& registry);
 /// Colours, overlays, camera, panels.
 void addViewActions(ActionRegistry& registry);
+/// Theme, simulated colour vision, preferences, and the search for actions.
+void addLookActions(ActionRegistry& registry);
+/// The user's own presets.
+void addPresetActions(ActionRegistry& registry);
 /// Selecting charts, looking at one alone, their texture and its checkerboard.
 void addChartActions(ActionRegistry& registry);
 /// Results kept beside the live ones.
@@ -25,7 +29,9 @@ void addCompareActions(ActionRegistry& registry);
 void addFilmActions(ActionRegistry& registry);
 /// The Gauss sphere, plots, figures of charts, and what deserves attention.
 void addInsightActions(ActionRegistry& registry);
-/// Pictures and files made from the results.
+/// Pictures, and what they are like.
+void addPictureActions(ActionRegistry& registry);
+/// Files made from the results.
 void addExportActions(ActionRegistry& registry);
 
 }  // namespace chartflood

@@ -27,17 +27,6 @@ std::string needsLabels(const AppState& state) {
 
 std::string needsFlatCharts(const AppState& state) { return exportRefusal(state.results()); }
 
-void takePicture(AppState& state, const Arguments& a) {
-  PictureRequest request;
-  request.bare = a.flag("bare", false);
-  request.scale = static_cast<int>(a.integer("scale", state.preferences.screenshotScale));
-  if (request.scale != 1 && request.scale != 2 && request.scale != 4) {
-    throw UsageError("A picture can be 1, 2 or 4 times the size of the view.");
-  }
-  request.file = a.text("file");
-  state.requests.pictures.push_back(std::move(request));
-}
-
 /// Writes what `bytes` gives to the named file, or opens the browser when none is named.
 template <typename Bytes>
 void exportTo(AppState& state, const Arguments& a, PanelState::Browse browse, Bytes&& bytes) {
@@ -55,7 +44,7 @@ void exportUv(AppState& state, const Arguments& a) {
   std::string ending = file.extension().string();
   for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   if (a.has("file") && ending == ".png") {
-    state.requests.pictures.push_back({.file = file, .texture = true});
+    state.requests.pictures.push_back({.file = file, .settings = {}, .texture = true});
     return;
   }
   if (a.has("file") && ending != ".svg") {
@@ -99,29 +88,6 @@ void addFlatExports(ActionRegistry& registry) {
 
 void addExportActions(ActionRegistry& registry) {
   addFlatExports(registry);
-  registry.add({.id = "screenshot",
-                .title = "Picture",
-                .help = "Saves the 3D view as a PNG picture; bare: transparent, without helpers.",
-                .arguments = {{"file", ArgumentType::Text, "left out: a new name", false},
-                              {"scale", ArgumentType::Integer, "1, 2 or 4 times the view", false},
-                              {"bare", ArgumentType::Switch, "without helpers", false}},
-                .refusal = needsMesh,
-                .run = takePicture});
-  registry.bind("F12", "screenshot");
-  registry.bind("Ctrl+F12", "screenshot bare=on");
-  registry.add({.id = "picture-scale",
-                .title = "Size of pictures",
-                .help = "Sets how many times the size of the view pictures are.",
-                .arguments = {{"scale", ArgumentType::Choice, "times", true, {"1", "2", "4"}}},
-                .refusal = {},
-                .run =
-                    [](AppState& state, const Arguments& a) {
-                      state.preferences.screenshotScale = static_cast<int>(a.integer("scale"));
-                    },
-                .checked =
-                    [](const AppState& state, const Arguments& a) {
-                      return state.preferences.screenshotScale == a.integer("scale");
-                    }});
   registry.add({.id = "export-labels",
                 .title = "Export labels\u2026",
                 .help = "Writes the chart of each face as one number a line.",

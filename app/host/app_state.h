@@ -51,7 +51,14 @@ struct PanelState {
   bool problems = false;            ///< their list is unfolded
   Index shownFace = kNone;   ///< of the problem that was shown last, where it is a single face
   bool barsByValue = false;  ///< bars of charts stand by size, not by number
+  int viewWidth = 1, viewHeight = 1;  ///< of all views of the model together, pixels
+  bool picture = false;               ///< the dialog of pictures is open
   bool keys = false, log = false, about = false;
+  bool preferences = false;    ///< their window is open
+  bool namesPreset = false;    ///< the question for a preset's name is asked
+  std::string renamedPreset;   ///< of this one; "": for a new one
+  bool search = false;         ///< the search for actions is open
+  std::string shownParameter;  ///< its row is to be brought into view and given the keyboard
   bool firstCard = false;
   enum class Tool { Select, Seeds };
   Tool tool = Tool::Select;      ///< what the mouse does on the model
@@ -73,9 +80,9 @@ struct SeedDrag {
 /// A picture to be taken by whoever owns the renderer.
 struct PictureRequest {
   std::filesystem::path file;  ///< "": the next free name in the folder of pictures
-  int scale = 1;               ///< times the size of the 3D view
-  bool bare = false;           ///< transparent, without helpers
-  bool texture = false;        ///< the charts in the texture, at its size, instead of the view
+  PictureSettings settings;
+  bool bare = false;     ///< without selection
+  bool texture = false;  ///< the charts in the texture, at its size, instead of the view
 };
 
 /// What only the window's owner can do; it takes these and clears them.
@@ -113,6 +120,9 @@ class AppState {
   bool changing() const { return status_.busy && !status_.unwrapping; }
   /// True when the view shows the finished labels rather than a part of the record.
   bool showsFinal() const;
+
+  /// True when dragging a slider floods at once, by the preference and what the last flood took.
+  bool floodsWhileDragged() const { return floodsLive(true); }
 
   /// The seeds of the charts that are or are about to be shown, with their locks.
   std::vector<PlacedSeed> presentSeeds() const;
@@ -175,6 +185,9 @@ class AppState {
   Notices notices;
   WindowRequests requests;
   WorkKeeper keeper;
+  std::optional<UserPreset> deletedPreset;  ///< can be brought back
+  /// Writes the preferences where they are kept; nothing where they are not.
+  std::function<void()> keepPreferences = [] {};
   /// Seeds for the next model that is opened, as faces of its file.
   std::vector<Index> firstSeeds;
   Index hoveredFace = kNone;   ///< under the mouse on the model or in the texture

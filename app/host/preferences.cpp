@@ -44,6 +44,22 @@ class Values {
       warn(std::string("holds an unusable value for '") + key + "'");
     }
   }
+  /// {name: {option: value, ..}, ..}
+  void readPresets(std::vector<UserPreset>& presets) {
+    if (!json_.contains("presets")) return;
+    for (const auto& [name, values] : json_["presets"].items()) {
+      const std::string problem = presetNameProblem(presets, name);
+      if (!values.is_object() || !problem.empty()) {
+        warn("holds an unusable preset '" + name + "'");
+        continue;
+      }
+      UserPreset preset{name, {}};
+      for (const auto& [id, value] : values.items()) {
+        preset.values.emplace_back(id, value.is_string() ? value.get<std::string>() : value.dump());
+      }
+      presets.push_back(std::move(preset));
+    }
+  }
   void readStrings(const char* key, std::vector<std::string>& list) {
     if (!json_.contains(key) || !json_[key].is_array()) return;
     for (const Json& entry : json_[key]) {
@@ -60,6 +76,42 @@ class Values {
   std::string& warning_;
   Json json_ = Json::object();
 };
+
+Json presetsJson(const std::vector<UserPreset>& presets) {
+  Json json = Json::object();
+  for (const UserPreset& preset : presets) {
+    Json values = Json::object();
+    for (const auto& [id, text] : preset.values) values[id] = text;
+    json[preset.name] = std::move(values);
+  }
+  return json;
+}
+
+/// Each as "key=value", so that one that cannot be used does not cost the others.
+void readPicture(Values& config, PictureSettings& picture, std::string& warning) {
+  std::vector<std::string> list;
+  config.readStrings("picture", list);
+  picture.lockRatio = false;  // both sides of the own size are read as they are
+  for (const std::string& each : list) {
+    const std::size_t equals = std::min(each.find('='), each.size());
+    const bool known = each.starts_with("lock-ratio=");
+    if (known || equals == each.size()) continue;
+    try {
+      setPictureValue(picture, each.substr(0, equals), each.substr(equals + 1));
+    } catch (const UsageError& error) {
+      warning = error.what();
+    }
+  }
+  picture.lockRatio =
+      std::find(list.begin(), list.end(), std::string("lock-ratio=off")) == list.end();
+}
+
+Json pictureJson(const PictureSettings& picture) {
+  Json list = Json::array();
+  for (const std::string& key : pictureKeys())
+    list.push_back(key + '=' + pictureValue(picture, key));
+  return list;
+}
 
 void writeJson(const std::filesystem::path& folder, const char* name, const Json& json) {
   std::error_code error;
@@ -117,19 +169,24 @@ Preferences readPreferences(const std::filesystem::path& configFolder,
                             const std::filesystem::path& stateFolder, std::string& warning) {
   warning.clear();
   Preferences result;
-  std::string navigation = navigationStyleId(result.navigation), live = liveModeId(result.live);
+  std::string navigation = navigationStyleId(result.navigation), live = liveModeId(result.live),
+              theme = themeInfo(result.theme).id;
   Values config(configFolder / kConfigName, warning);
+  config.read("theme", theme, &Json::is_string);
   config.read("ui-scale", result.uiScale, &Json::is_number);
   config.read("navigation", navigation, &Json::is_string);
   config.read("invert-zoom", result.invertZoom, &Json::is_boolean);
+  config.read("invert-turn-x", result.invertTurnX, &Json::is_boolean);
+  config.read("invert-turn-y", result.invertTurnY, &Json::is_boolean);
   config.read("live", live, &Json::is_string);
   config.read("first-steps", result.firstCard, &Json::is_boolean);
   config.read("ask-unsaved", result.askUnsaved, &Json::is_boolean);
-  config.read("screenshot-scale", result.screenshotScale, &Json::is_number_integer);
+  config.readPresets(result.presets);
+  readPicture(config, result.picture, warning);
   result.navigation = navigationStyleFromId(navigation);
   result.live = liveModeFromId(live);
+  if (const ThemeInfo* known = findTheme(theme)) result.theme = known->kind;
   if (result.uiScale != 0) result.uiScale = std::clamp(result.uiScale, 0.75, 2.5);
-  result.screenshotScale = std::clamp(result.screenshotScale, 1, 4);
 
   Values state(stateFolder / kStateName, warning);
   state.read("window-width", result.windowWidth, &Json::is_number_integer);
@@ -146,13 +203,17 @@ Preferences readPreferences(const std::filesystem::path& configFolder,
 void writePreferences(const Preferences& preferences, const std::filesystem::path& configFolder,
                       const std::filesystem::path& stateFolder) {
   writeJson(configFolder, kConfigName,
-            {{"ui-scale", preferences.uiScale},
+            {{"theme", themeInfo(preferences.theme).id},
+             {"ui-scale", preferences.uiScale},
              {"navigation", navigationStyleId(preferences.navigation)},
              {"invert-zoom", preferences.invertZoom},
+             {"invert-turn-x", preferences.invertTurnX},
+             {"invert-turn-y", preferences.invertTurnY},
              {"live", liveModeId(preferences.live)},
              {"first-steps", preferences.firstCard},
              {"ask-unsaved", preferences.askUnsaved},
-             {"screenshot-scale", preferences.screenshotScale}});
+             {"presets", presetsJson(preferences.presets)},
+             {"picture", pictureJson(preferences.picture)}});
   writeJson(stateFolder, kStateName,
             {{"window-width", preferences.windowWidth},
              {"window-height", preferences.windowHeight},

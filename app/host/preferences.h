@@ -5,6 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "app/host/look.h"
+#include "app/host/picture_settings.h"
+#include "app/host/user_presets.h"
+
 namespace chartflood {
 
 /// When a slider's drag floods again at once.
@@ -14,16 +18,20 @@ enum class LiveMode { Auto, On, Off };
 enum class NavigationStyle { Simple, Blender, Maya };
 
 struct Preferences {
+  ThemeKind theme = ThemeKind::Dark;
   double uiScale = 0;  ///< 0: as the screen proposes; else 0.75 to 2.5
   NavigationStyle navigation = NavigationStyle::Simple;
   bool invertZoom = false;
+  bool invertTurnX = false, invertTurnY = false;  ///< dragging right turns left, and so on
   LiveMode live = LiveMode::Auto;
   bool firstCard = true;    ///< the card of first steps is still to be shown
   bool askUnsaved = true;   ///< before unsaved changes would be lost
-  int screenshotScale = 2;  ///< times the window's size: 1, 2 or 4
+  PictureSettings picture;  ///< of the last picture
   int windowWidth = 1280;   ///< screen coordinates
   int windowHeight = 800;
   std::vector<std::string> recentFiles;  ///< newest first, at most kMostRecent
+
+  std::vector<UserPreset> presets;  ///< in the order of saving
 
   static constexpr std::size_t kMostRecent = 10;
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/camera.h"
+#include "render/color_vision.h"
 #include "render/render_settings.h"
 #include "render/uv_camera.h"
 
@@ -19,6 +20,7 @@ struct ViewSettings {
   bool frameWhenLoaded = true;            ///< the camera has yet to be set up for a new model
   std::vector<glm::dvec3> pointsToFrame;  ///< the camera has yet to come close to these
   bool sphereLinked = true;               ///< the Gauss sphere turns with the model
+  ColorVision vision = ColorVision::Full;  ///< pictures on the screen are shown as seen with it
   Camera sphereCamera;                    ///< how it is seen otherwise; only the orientation counts
 };
 

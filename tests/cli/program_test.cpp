@@ -267,6 +267,24 @@ TEST_F(Program, PicturesHaveTheSizeAndGroundAskedFor) {
   EXPECT_EQ(image.at(100, 50)[3], 255) << "the sphere";
 }
 
+TEST_F(Program, TurntableAndFloodFilmWriteNumberedPictures) {
+  const std::vector<std::string> how{"--sample=rocket", "--triangles=300", "--resolution=64,48",
+                                     "--supersampling=1"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), how.begin(), how.end());
+    return run(more);
+  };
+  ASSERT_EQ(with({"--output=turn.png", "--turntable=3"}).exitCode, 0);
+  EXPECT_THAT(listing(), testing::ElementsAre("turn_001.png", "turn_002.png", "turn_003.png"));
+  EXPECT_NE(readPng(folder_.path() / "turn_001.png"), readPng(folder_.path() / "turn_002.png"));
+  ASSERT_EQ(with({"--output=flood.png", "--flood-film=4"}).exitCode, 0);
+  ASSERT_EQ(with({"--output=last.png"}).exitCode, 0);
+  EXPECT_EQ(file("flood_004.png"), file("last.png")) << "the finished charts";
+  EXPECT_NE(file("flood_003.png"), file("last.png"));
+  EXPECT_EQ(with({"--turntable=3"}).exitCode, 2) << "nowhere to write to";
+  EXPECT_EQ(with({"--output=a.png", "--turntable=3", "--flood-film=3"}).exitCode, 2);
+}
+
 TEST_F(Program, PictureOptionsChangeThePicture) {
   // Few triangles: edges that are too dense are not drawn.
   const auto picture = [&](const std::string& option) {

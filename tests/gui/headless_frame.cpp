@@ -119,6 +119,13 @@ void HeadlessFrame::escape() {
   frames(2);
 }
 
+void HeadlessFrame::arrow(int key) {
+  ImGui::GetIO().KeysDown[key] = true;
+  frames(1);
+  ImGui::GetIO().KeysDown[key] = false;
+  frames(1);
+}
+
 std::string HeadlessFrame::lastLine() const {
   return state_.journal().empty() ? std::string() : state_.journal().back();
 }

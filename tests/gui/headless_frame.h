@@ -41,6 +41,8 @@ class HeadlessFrame {
   void enter();
   void wheel(float notches);
   void escape();
+  /// Presses a key of ImGuiKey_ for one frame.
+  void arrow(int key);
   void key(const char* chord) { frame_.key(parseChord(chord), false); }
 
   AppState& state() { return state_; }

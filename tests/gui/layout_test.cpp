@@ -82,6 +82,58 @@ TEST_P(Layout, ToastsStayInTheView) {
   EXPECT_LE(toast.max.x, view.max.x);
 }
 
+/// Noted as a whole, with the border that their own content does not see.
+bool isFrame(std::string_view label) {
+  for (const char* frame :
+       {"toast ", "chart/", "column/", "action-palette", "Preferences", "Keys", "Log", "About"}) {
+    if (label.starts_with(frame)) return true;
+  }
+  return false;
+}
+
+/// Every widget that can be seen lies in the width of its panel, and all in that of the window.
+void expectWholeInWidth(HeadlessFrame& ui, const std::string& where) {
+  for (const auto& [label, item] : ui.frame().probe().items()) {
+    if (!item.visible) continue;
+    EXPECT_GE(item.min.x, -3) << label << " in " << where;
+    EXPECT_LE(item.max.x, ImGui::GetIO().DisplaySize.x + 3) << label << " in " << where;
+    if (isFrame(label)) continue;
+    EXPECT_GE(item.min.x, item.clipMin.x - 1) << label << " in " << where;
+    EXPECT_LE(item.max.x, item.clipMax.x + 1) << label << " in " << where;
+  }
+}
+
+TEST_P(Layout, EveryWidgetIsWholeInWidthInEveryTab) {
+  if (GetParam().width < 1024) GTEST_SKIP() << "three columns need 1024 pixels";
+  ui.openFlooded("sphere", 300);
+  for (const char* tab : {"uv", "charts", "sphere", "plots"}) {
+    ui.state().perform(ui.actions(), std::string("right-tab ") + tab);
+    ui.frames(3);
+    expectWholeInWidth(ui, tab);
+  }
+}
+
+TEST_P(Layout, EveryWidgetIsWholeInEveryWindow) {
+  for (const char* window : {"find-action", "preferences", "keys", "log", "about", "name-preset"}) {
+    ui.state().perform(ui.actions(), window);
+    ui.frames(4);
+    expectWholeInWidth(ui, window);
+    const std::string close = std::string(window) == "name-preset" ? "close-naming" : window;
+    ui.state().perform(ui.actions(), close);
+    ui.frames(3);
+  }
+}
+
+TEST_P(Layout, ThemesDoNotMoveAnything) {
+  const ProbedItem before = ui.item("charts");
+  for (const ThemeInfo& theme : themeTable()) {
+    ui.state().perform(ui.actions(), std::string("theme ") + theme.id);
+    ui.frames(2);
+    EXPECT_EQ(ui.item("charts").min.x, before.min.x) << theme.id;
+    EXPECT_EQ(ui.item("charts").max.y, before.max.y) << theme.id;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Layout,
                          ::testing::Values(Screen{1024, 640, 1}, Screen{1280, 800, 1},
                                            Screen{1024, 640, 0.75f}, Screen{1024, 640, 1.5f},

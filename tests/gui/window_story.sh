@@ -131,8 +131,9 @@ save "the end"
 keys ctrl q
 wait $pid || fail "exit code $?"
 labels before
+rm "$folder/probe.json"  # of the window that was closed
 "$program" "$session" & pid=$!
-shows uv || fail "the saved session does not open"
+shows scrubber || fail "the saved session does not open"
 picture after
 shot reopened
 save "once more"

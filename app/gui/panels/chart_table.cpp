@@ -107,7 +107,7 @@ void tableRow(const Ui& ui, const Figures& all, std::size_t chart) {
 
 void headers(const Ui& ui) {
   const ImGuiTableColumnFlags fixed = ImGuiTableColumnFlags_WidthStretch;
-  ImGui::TableSetupColumn("#", fixed | ImGuiTableColumnFlags_DefaultSort, 0.75f);
+  ImGui::TableSetupColumn("#", fixed | ImGuiTableColumnFlags_DefaultSort, 0.7f);
   ImGui::TableSetupColumn("Faces", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.15f);
   ImGui::TableSetupColumn("Gauss sr", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.45f);
   ImGui::TableSetupColumn("Share", fixed | ImGuiTableColumnFlags_PreferSortDescending, 1.1f);

@@ -80,10 +80,11 @@ void drawSphere(const Ui& ui, float side, Index shown) {
   const SphereDrawing sphere(ui, {std::round(low.x + width / 2), std::round(low.y + side / 2)},
                              radius, camera);
   const auto patch = shown == kNone ? nullptr : ui.state.insight().patch(ui.state.results(), shown);
+  const ImU32 ink = ui.theme.palette.text & ~IM_COL32_A_MASK;
   sphere.ball();
-  sphere.grid(Half::Back, IM_COL32(255, 255, 255, 12));
+  sphere.grid(Half::Back, ink | IM_COL32(0, 0, 0, 14));
   if (patch) drawHalf(ui, sphere, *patch, Half::Back);
-  sphere.grid(Half::Front, IM_COL32(255, 255, 255, 34));
+  sphere.grid(Half::Front, ink | IM_COL32(0, 0, 0, 38));
   drawDots(ui, sphere, shown);
   if (patch) drawHalf(ui, sphere, *patch, Half::Front);
   sphere.axes();

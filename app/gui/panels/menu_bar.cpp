@@ -50,8 +50,9 @@ void fileMenu(const Ui& ui) {
   }
   actionMenuItem(ui, "export-report");
   ImGui::Separator();
-  actionMenuItem(ui, "screenshot");
-  actionMenuItem(ui, "screenshot bare=on", "Screenshot without helpers");
+  actionMenuItem(ui, "picture-dialog");
+  actionMenuItem(ui, "screenshot", "Picture as last time");
+  actionMenuItem(ui, "screenshot bare=on", "Picture without helpers");
   ImGui::Separator();
   actionMenuItem(ui, "quit");
   ImGui::EndMenu();
@@ -72,7 +73,9 @@ void editMenu(const Ui& ui) {
   actionMenuItem(ui, "copy-command");
   actionMenuItem(ui, "copy-figures");
   actionMenuItem(ui, "copy-charts");
-  actionMenuItem(ui, "ask-unsaved");
+  ImGui::Separator();
+  presetMenu(ui);
+  actionMenuItem(ui, "preferences");
   ImGui::EndMenu();
 }
 
@@ -144,6 +147,18 @@ void viewMenu(const Ui& ui) {
     ImGui::EndMenu();
   }
   ImGui::Separator();
+  if (ImGui::BeginMenu("Theme")) {
+    for (const ThemeInfo& theme : themeTable()) {
+      actionMenuItem(ui, std::string("theme ") + theme.id, theme.label);
+    }
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Simulate colour blindness")) {
+    for (const ColorVisionInfo& kind : colorVisionTable()) {
+      actionMenuItem(ui, std::string("simulate ") + kind.id, kind.label);
+    }
+    ImGui::EndMenu();
+  }
   if (ImGui::BeginMenu("Size of the interface")) {
     actionMenuItem(ui, "ui-scale auto", "As the screen proposes");
     for (const char* percent : {"75", "100", "125", "150", "175", "200", "250"}) {
@@ -203,6 +218,7 @@ void compareMenu(const Ui& ui) {
 
 void helpMenu(const Ui& ui) {
   if (!beginMenu(ui, "Help")) return;
+  actionMenuItem(ui, "find-action");
   actionMenuItem(ui, "keys");
   actionMenuItem(ui, "first-steps");
   actionMenuItem(ui, "log");

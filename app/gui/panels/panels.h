@@ -28,10 +28,20 @@ void linkChartRow(const Ui& ui, Index chart);
 void spherePanel(const Ui& ui);
 /// Gauss area and stretch of each chart, values of the colour mode, spread over the rounds.
 void plotsPanel(const Ui& ui);
+/// The box of presets, the menu of the user's own, and the question for the name of one.
+void presetRow(const Ui& ui);
+void presetMenu(const Ui& ui);
+void presetNameQuestion(const Ui& ui);
+/// The search for actions and parameters by words, for the keyboard alone.
+void actionPalette(const Ui& ui);
+/// What the user likes, in a window of its own.
+void preferencesWindow(const Ui& ui);
 /// All messages so far, in a window of its own.
 void logWindow(const Ui& ui);
 /// Keys and what they do, made from the registry, in a window of its own.
 void keysWindow(const Ui& ui);
+/// What pictures are like, and the button that takes one.
+void pictureDialog(const Ui& ui);
 /// Name, version, paper, fonts.
 void aboutWindow(const Ui& ui);
 /// Sentences in the top right corner of the area.

@@ -9,38 +9,6 @@ namespace chartflood {
 
 namespace {
 
-void presetRow(const Ui& ui) {
-  const Parameters& values = ui.state.document().parameters;
-  const char* shown = values == Parameters{} ? "Standard" : "Own settings";
-  for (const Preset& preset : presetTable()) {
-    if (values != Parameters{} && applyPreset(values, preset) == values) shown = preset.label;
-  }
-  const float side = ImGui::GetFrameHeight();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Preset");
-  ImGui::SameLine(ui.px(78));
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - side - ui.px(4));
-  const bool open = ImGui::BeginCombo("##preset", shown);
-  ui.probe.item("preset");
-  if (open) {
-    if (ImGui::Selectable("Standard", values == Parameters{})) ui.run("reset-all");
-    ui.probe.item("preset/standard");
-    for (const Preset& preset : presetTable()) {
-      if (ImGui::Selectable(preset.label)) ui.run(std::string("preset ") + preset.id);
-      ui.probe.item(std::string("preset/") + preset.id);
-      tooltip(ui, preset.id, preset.label, preset.help);
-    }
-    ImGui::EndCombo();
-  } else {
-    tooltip(ui, "preset", "Preset", "Parameters for a purpose. \"Paper\" has the printed values.");
-  }
-  if (values == Parameters{}) return;
-  ImGui::SameLine(0, ui.px(4));
-  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
-  iconButton(ui, Icon::Reset, "reset-all", {side, side});
-  ImGui::PopStyleColor();
-}
-
 void liveRow(const Ui& ui) {
   const LiveMode mode = ui.state.preferences.live;
   ImGui::AlignTextToFramePadding();
@@ -58,6 +26,14 @@ void liveRow(const Ui& ui) {
     textButton(ui, words, "live " + id, {width, 0});
     if (chosen) ImGui::PopStyleColor();
   }
+  ImGui::PushFont(ui.theme.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
+  ImGui::SetCursorPosX(ui.px(78));
+  ImGui::TextUnformatted(ui.state.floodsWhileDragged() ? "Floods while a slider is dragged"
+                                                       : "Floods when a slider is let go");
+  ui.probe.item("live/applies");
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
 }
 
 }  // namespace
@@ -65,12 +41,14 @@ void liveRow(const Ui& ui) {
 void parameterPanel(const Ui& ui) {
   presetRow(ui);
   liveRow(ui);
+  const ParameterInfo* shown = findParameter(ui.state.panels.shownParameter);
   std::string_view group;
   bool open = true;
   for (const ParameterInfo& info : parameterTable()) {
     if (group != info.group) {
       group = info.group;
-      open = section(ui, info.group, group == "Charts" || group == "Balance");
+      open = section(ui, info.group, group == "Charts" || group == "Balance",
+                     shown != nullptr && group == shown->group);
     }
     if (open) parameterRow(ui, info);
   }

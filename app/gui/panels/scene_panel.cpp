@@ -14,8 +14,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr ImU32 kVeil = IM_COL32(24, 24, 24, 170);  // keeps text legible over the model
-constexpr double kQuickPick = 0.02;                 // slower picks wait for a resting mouse
+constexpr double kQuickPick = 0.02;  // slower picks wait for a resting mouse
 
 bool usesSeeds(const Ui& ui, const SceneMouse& mouse) {
   return ui.state.panels.tool == PanelState::Tool::Seeds && mouse.pane.live();
@@ -35,7 +34,7 @@ void moveCamera(const Ui& ui, const ViewRectangle& view, SceneMouse& mouse) {
       motionOf(ui.state.preferences.navigation, mouse.button, io.KeyShift, io.KeyCtrl, io.KeyAlt);
   if (motion == CameraMotion::None) return;
   dragCamera(ui.state.view.camera, motion, view, {io.MousePos.x - delta.x, io.MousePos.y - delta.y},
-             io.MousePos, ui.state.preferences.invertZoom);
+             io.MousePos, ui.state.preferences);
   moved(mouse);
 }
 
@@ -133,9 +132,9 @@ void drawAxes(const Ui& ui, const ViewRectangle& view) {
     glm::dvec3 direction;
     ImU32 color;
   };
-  const Axis axes[] = {{"x", {1, 0, 0}, IM_COL32(0xD9, 0x7B, 0x73, 255)},
-                       {"y", {0, 1, 0}, IM_COL32(0x8C, 0xBF, 0x7A, 255)},
-                       {"z", {0, 0, 1}, IM_COL32(0x74, 0x9F, 0xD6, 255)}};
+  const Palette& p = ui.theme.palette;
+  const Axis axes[] = {
+      {"x", {1, 0, 0}, p.axisX}, {"y", {0, 1, 0}, p.axisY}, {"z", {0, 0, 1}, p.axisZ}};
   const Camera& camera = ui.state.view.camera;
   const float length = ui.px(26);
   const ImVec2 center{view.min.x + ui.px(44), view.max.y - ui.px(56)};
@@ -183,8 +182,8 @@ void drawHint(const Ui& ui, const ViewRectangle& view) {
       const ImVec2 at{std::round((view.min.x + view.max.x - width) / 2), y};
       const float pad = ui.px(6), height = ImGui::GetTextLineHeight();
       ImDrawList& list = *ImGui::GetWindowDrawList();
-      list.AddRectFilled({at.x - pad, at.y - 1}, {at.x + width + pad, at.y + height + 1}, kVeil,
-                         ui.px(3));
+      list.AddRectFilled({at.x - pad, at.y - 1}, {at.x + width + pad, at.y + height + 1},
+                         ui.theme.palette.veil, ui.px(3));
       list.AddText(at, ui.theme.palette.text, text);
     }
     y -= ImGui::GetTextLineHeight() + ui.px(2);
@@ -207,6 +206,23 @@ void drawMissing(const Ui& ui, const ViewRectangle& view) {
   list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},
                      ui.theme.palette.bar, ui.px(4));
   list.AddText(at, ui.theme.palette.text, text.c_str());
+}
+
+/// Says that colours are not what they are, as long as they are not.
+void drawVisionBadge(const Ui& ui, const ViewRectangle& view) {
+  const ColorVision vision = ui.state.view.vision;
+  if (vision == ColorVision::Full) return;
+  const std::string text = std::string("Simulating ") + colorVisionInfo(vision).label +
+                           ": saved pictures keep their colours";
+  const ImVec2 pad{ui.px(10), ui.px(5)};
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at{std::round((view.min.x + view.max.x - size.x) / 2), view.min.y + ui.px(94)};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 low{at.x - pad.x, at.y - pad.y}, high{at.x + size.x + pad.x, at.y + size.y + pad.y};
+  list.AddRectFilled(low, high, ui.theme.palette.bar, ui.px(4));
+  list.AddRect(low, high, ui.theme.palette.front, ui.px(4));
+  list.AddText(at, ui.theme.palette.text, text.c_str());
+  ui.probe.rectangle("vision-badge", low, high);
 }
 
 void drawInvitation(const Ui& ui, const ViewRectangle& view) {
@@ -271,6 +287,7 @@ void scenePanel(const Ui& ui, SceneSource* source, SceneMouse& mouse) {
   if (!ui.state.hasMesh()) return drawInvitation(ui, view);
   drawAxes(ui, view);
   drawMissing(ui, view);
+  drawVisionBadge(ui, view);
   if (!ui.state.panels.firstCard) drawHint(ui, view);
 }
 

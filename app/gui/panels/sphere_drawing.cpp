@@ -48,7 +48,7 @@ ImVec2 SphereDrawing::place(const glm::vec3& n) const {
 }
 
 void SphereDrawing::ball() const {
-  const ImU32 middle = IM_COL32(0x46, 0x48, 0x4B, 255), rim = IM_COL32(0x29, 0x2A, 0x2C, 255);
+  const ImU32 middle = ui_.theme.palette.ball, rim = ui_.theme.palette.ballRim;
   const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
   list_.PrimReserve(3 * kRing, kRing + 1);
   const auto first = static_cast<unsigned>(list_._VtxCurrentIdx);

@@ -3,35 +3,12 @@
 #include <string>
 
 #include "app/gui/panels/panels.h"
+#include "app/gui/panels/text_window.h"
 #include "app/gui/widgets.h"
 
 namespace chartflood {
 
 namespace {
-
-/// A window in the middle that Esc or its cross closes by running `line`.
-template <typename Content>
-void textWindow(const Ui& ui, const char* title, std::string_view line, ImVec2 size,
-                Content&& content) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 fitted{std::min(size.x, screen.x - ui.px(20)),
-                      std::min(size.y, screen.y - ui.px(20))};
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize(fitted, ImGuiCond_Appearing);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  bool open = true;
-  if (ImGui::Begin(title, &open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
-    content();
-  }
-  const ImVec2 low = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
-  ui.probe.rectangle(title, low, {low.x + extent.x, low.y + extent.y});
-  const bool escaped = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) &&
-                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-  ImGui::End();
-  ImGui::PopStyleVar(2);
-  if (!open || escaped) ui.run(line);
-}
 
 ImU32 levelColor(const Palette& palette, LogLevel level) {
   if (level == LogLevel::Error) return palette.error;
@@ -60,6 +37,28 @@ void keyRow(const Ui& ui, const Binding& binding) {
 }
 
 }  // namespace
+
+void textWindow(const Ui& ui, const char* title, std::string_view line, ImVec2 size,
+                const std::function<void()>& content) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 fitted{std::min(size.x, screen.x - ui.px(20)),
+                      std::min(size.y, screen.y - ui.px(20))};
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize(fitted, ImGuiCond_Appearing);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  bool open = true;
+  if (ImGui::Begin(title, &open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
+    content();
+  }
+  const ImVec2 low = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
+  ui.probe.rectangle(title, low, {low.x + extent.x, low.y + extent.y});
+  const bool escaped = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) &&
+                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  if (!open || escaped) ui.run(line);
+}
 
 void keysWindow(const Ui& ui) {
   if (!ui.state.panels.keys) return;

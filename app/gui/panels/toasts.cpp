@@ -46,7 +46,7 @@ float drawToast(const Ui& ui, std::size_t index, ImVec2 topRight, float width) {
   ImGui::PushTextWrapPos(width - side - ui.px(16));
   ImGui::TextUnformatted(toast.text.c_str());
   ImGui::PopTextWrapPos();
-  ImGui::SetCursorPos({width - side - ui.px(6), ui.px(6)});
+  ImGui::SetCursorPos({width - side - ui.px(8), ui.px(6)});
   ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
   iconButton(ui, Icon::Close, "close-toast " + std::to_string(index), {side, side});
   ImGui::PopStyleColor();

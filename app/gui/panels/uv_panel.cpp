@@ -161,7 +161,7 @@ void drawCaption(const Ui& ui, const UvRectangle& view) {
   const char* right = "Wheel: closer   Drag: move   F: all";
   const float y = view.max.y - ui.px(19), pad = ui.px(8);
   list.AddRectFilled({view.min.x, y - ui.px(5)}, view.max,
-                     (ui.theme.palette.panel & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 200));
+                     (ui.theme.palette.panel & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 235));
   list.AddText({view.min.x + pad, y}, ui.theme.palette.dim, left.c_str());
   const float used = ImGui::CalcTextSize(left.c_str()).x, width = ImGui::CalcTextSize(right).x;
   if (view.min.x + used + width + 4 * pad < view.max.x) {

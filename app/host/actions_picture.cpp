@@ -1,0 +1,93 @@
+// Actions that take pictures, and what pictures are like.
+
+#include <utility>
+
+#include "app/host/action_registry.h"
+#include "app/host/actions.h"
+#include "app/host/app_state.h"
+#include "app/host/switch_action.h"
+#include "core/base/error.h"
+
+namespace chartflood {
+
+namespace {
+
+std::string needsMesh(const AppState& state) {
+  return state.hasMesh() ? "" : "There is no model yet; open one first.";
+}
+
+/// Why the view asked for cannot be taken; "" when it can.
+std::string viewRefusal(const AppState& state, const std::string& view) {
+  if (view == "ab" && !state.compare.showing()) {
+    return "Nothing is compared: store the present charts as A first (Compare).";
+  }
+  const bool flat = state.results().charts && state.results().atlas;
+  if ((view == "uv" || view == "both") && !flat) {
+    return "The charts are not laid flat yet; press Unwrap (W) first.";
+  }
+  return "";
+}
+
+void takePicture(AppState& state, const Arguments& a) {
+  PictureRequest request;
+  request.settings = state.preferences.picture;
+  request.bare = a.flag("bare", false);
+  if (request.bare) {
+    for (const char* key : {"legend", "seeds", "numbers"}) {
+      setPictureValue(request.settings, key, "off");
+    }
+    request.settings.ground = "transparent";
+  }
+  if (a.has("view")) request.settings.view = a.text("view");
+  if (a.has("scale")) {
+    const long scale = a.integer("scale");
+    if (scale != 1 && scale != 2 && scale != 4) {
+      throw UsageError("A picture can be 1, 2 or 4 times the size of the view.");
+    }
+    request.settings.size = scale == 1 ? "window" : "window-" + std::to_string(scale);
+  }
+  request.file = a.text("file");
+  const std::string reason = viewRefusal(state, request.settings.view);
+  if (!reason.empty()) throw Refusal(reason);
+  state.requests.pictures.push_back(std::move(request));
+}
+
+}  // namespace
+
+void addPictureActions(ActionRegistry& registry) {
+  registry.add(
+      {.id = "screenshot",
+       .title = "Picture",
+       .help = "Saves a PNG picture as set in the dialog of pictures (Shift+F12); bare: "
+               "transparent, without helpers.",
+       .arguments =
+           {{"file", ArgumentType::Text, "left out: a new name", false},
+            {"scale", ArgumentType::Integer, "1, 2 or 4 times the view", false},
+            {"view", ArgumentType::Choice, "left out: as set", false, {"3d", "uv", "both", "ab"}},
+            {"bare", ArgumentType::Switch, "without helpers", false}},
+       .refusal = needsMesh,
+       .run = takePicture});
+  registry.bind("F12", "screenshot");
+  registry.bind("Ctrl+F12", "screenshot bare=on");
+  addSwitch(
+      registry, "picture-dialog", "Picture\u2026",
+      "What pictures are like: view, size, ground and name.", "Shift+F12",
+      [](auto& state) -> auto& { return state.panels.picture; });
+  registry.add({.id = "picture-set",
+                .title = "Set what pictures are like",
+                .help = "Gives a setting of pictures a new value.",
+                .arguments = {{"key", ArgumentType::Choice, "which one", true, pictureKeys()},
+                              {"value", ArgumentType::Text, "the new value", false}},
+                .refusal = {},
+                .run =
+                    [](AppState& state, const Arguments& a) {
+                      setPictureValue(state.preferences.picture, a.text("key"), a.text("value"));
+                    },
+                .checked =
+                    [](const AppState& state, const Arguments& a) {
+                      return pictureValue(state.preferences.picture, a.text("key")) ==
+                             a.text("value");
+                    }});
+}
+
+}  // namespace chartflood

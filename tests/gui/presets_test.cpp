@@ -1,0 +1,127 @@
+// The user's own presets: saved, used, renamed, deleted and brought back; what is broken in the
+// settings file is named and left out.
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/gui/headless_frame.h"
+
+namespace chartflood {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+class Presets : public ::testing::Test {
+ protected:
+  bool run(const char* line) { return ui.state().perform(ui.actions(), line); }
+  const Parameters& values() { return ui.state().document().parameters; }
+  const std::vector<UserPreset>& presets() { return ui.state().preferences.presets; }
+
+  HeadlessFrame ui;
+};
+
+TEST_F(Presets, BringTheirValuesBackAsOneUndoStep) {
+  run("set charts 33");
+  run("set speed-power 2.5");
+  ASSERT_TRUE(run("save-preset \"My clay\""));
+  const Parameters saved = values();
+  run("reset-all");
+  ASSERT_TRUE(run("own-preset \"My clay\""));
+  EXPECT_EQ(values(), saved);
+  run("undo");
+  EXPECT_EQ(values(), Parameters{});
+}
+
+TEST_F(Presets, NamesAreTakenOnceAndNeverFromBuiltInOnes) {
+  EXPECT_TRUE(run("save-preset one"));
+  EXPECT_FALSE(run("save-preset one"));
+  EXPECT_FALSE(run("save-preset Paper"));
+  EXPECT_FALSE(run("save-preset \"  \""));
+  EXPECT_THAT(presets(), SizeIs(1));
+}
+
+TEST_F(Presets, DeletionCanBeTakenBack) {
+  run("save-preset one");
+  run("save-preset two");
+  const UserPreset one = presets()[0];
+  EXPECT_FALSE(run("restore-preset"));
+  EXPECT_TRUE(run("delete-preset one"));
+  EXPECT_THAT(presets(), SizeIs(1));
+  EXPECT_TRUE(run("restore-preset"));
+  ASSERT_THAT(presets(), SizeIs(2));
+  EXPECT_EQ(presets()[1], one);
+}
+
+TEST_F(Presets, SavedAndRenamedByTypingAName) {
+  run("set charts 9");
+  ui.click("preset");
+  ui.frames(2);
+  ui.click("preset/save");
+  ui.frames(3);
+  ui.type("Nine");
+  ui.enter();
+  ASSERT_THAT(presets(), SizeIs(1));
+  EXPECT_EQ(presets()[0].name, "Nine");
+  EXPECT_FALSE(ui.state().panels.namesPreset);
+  EXPECT_TRUE(run("rename-preset Nine \"A few\""));
+  EXPECT_EQ(presets()[0].name, "A few");
+}
+
+TEST_F(Presets, AreWrittenWhenTheyChange) {
+  int written = 0;
+  ui.state().keepPreferences = [&] { ++written; };
+  run("save-preset one");
+  run("rename-preset one two");
+  run("delete-preset two");
+  run("restore-preset");
+  EXPECT_EQ(written, 4);
+}
+
+class PresetFile : public ::testing::Test {
+ protected:
+  PresetFile()
+      : folder(std::filesystem::temp_directory_path() /
+               ("chartflood_presets_" +
+                std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+  }
+  ~PresetFile() override { std::filesystem::remove_all(folder); }
+  Preferences readBack() { return readPreferences(folder, folder, warning); }
+
+  std::filesystem::path folder;
+  std::string warning;
+};
+
+TEST_F(PresetFile, SurvivesTheSettingsFile) {
+  Parameters parameters;
+  parameters.charts = 7;
+  parameters.speedPower = 2.25;
+  parameters.unwrap = "circle";
+  Preferences likes;
+  likes.theme = ThemeKind::Light;
+  likes.presets = {userPresetOf("Sch\u00f6n", parameters), userPresetOf("other", Parameters{})};
+  writePreferences(likes, folder, folder);
+  EXPECT_EQ(readBack(), likes);
+  EXPECT_EQ(warning, "");
+  EXPECT_EQ(applyUserPreset({}, likes.presets[0], warning), parameters);
+}
+
+TEST_F(PresetFile, BrokenPresetsAreNamedAndLeftOut) {
+  std::ofstream(folder / "config.json")
+      << R"({"presets": {"good": {"charts": 12}, "bad": 5, "odd": {"charts": "many", "wings": 2}}})";
+  const Preferences likes = readBack();
+  EXPECT_THAT(warning, HasSubstr("'bad'"));
+  ASSERT_THAT(likes.presets, SizeIs(2));
+  EXPECT_EQ(applyUserPreset({}, likes.presets[0], warning).charts, 12);
+  EXPECT_EQ(warning, "");
+  EXPECT_EQ(applyUserPreset({}, likes.presets[1], warning), Parameters{});
+  EXPECT_THAT(warning, HasSubstr("charts, wings"));
+}
+
+}  // namespace
+}  // namespace chartflood
