@@ -24,12 +24,6 @@ namespace chartflood {
 
 namespace {
 
-std::size_t peakMemoryBytes() {
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-}
-
 std::string report(const Session& session) {
   Report report =
       makeReport(*session.results(), seedFaces(session.document().seeds), CHARTFLOOD_VERSION);
@@ -97,11 +91,6 @@ std::string savedSession(const Session& session, const Invocation& call) {
   return sessionText(saved, call.saveSession);
 }
 
-/// Finds out before a long computation whether its results can be written.
-void checkTargets(const Invocation& call) {
-  for (const std::filesystem::path& file : outputFiles(call)) StagedFile(file, "");
-}
-
 /// All files wait beside their targets before the first one is put in place.
 void writeOutputs(const Session& session, const Invocation& call) {
   const std::shared_ptr<const Results> results = session.results();
@@ -126,6 +115,16 @@ void writeOutputs(const Session& session, const Invocation& call) {
 }
 
 }  // namespace
+
+std::size_t peakMemoryBytes() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+void checkTargets(const Invocation& call) {
+  for (const std::filesystem::path& file : outputFiles(call)) StagedFile(file, "");
+}
 
 void printOutput(std::string_view text) {
   const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);

@@ -1,6 +1,7 @@
 #pragma once
 /// Calls that need no window: one run of the pipeline, all outputs from it.
 
+#include <cstddef>
 #include <string_view>
 
 #include "app/cli/options.h"
@@ -14,6 +15,12 @@ void runBatch(const Invocation& call);
 
 /// Opens the mesh and prints what it holds.
 void runInfo(const Invocation& call);
+
+/// Finds out before a long computation whether its results can be written. \throws WriteError
+void checkTargets(const Invocation& call);
+
+/// The most memory that the program held so far.
+std::size_t peakMemoryBytes();
 
 /// Writes to standard output. \throws WriteError when it cannot take the text.
 void printOutput(std::string_view text);

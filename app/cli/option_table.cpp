@@ -63,6 +63,9 @@ void addFiles(std::vector<OptionInfo>& table) {
                    "Borders between charts and cuts, as lines on the file's vertices."});
   table.push_back({"save-session", "F.chartflood", group,
                    "The work as it is, to go on with: give the file instead of a mesh."});
+  table.push_back({"compare", "METHOD,METHOD,..", group,
+                   "Several methods with the same number of charts, the same cuts and unwrap: a "
+                   "table on standard output, --output side by side, --report with all results."});
   table.push_back(
       {"report", "F.json", group, "All figures as JSON; - writes them to standard output."});
 }
@@ -129,7 +132,7 @@ void addGeneral(std::vector<OptionInfo>& table) {
 }
 
 void addUnbuilt(std::vector<OptionInfo>& table) {
-  for (const char* name : {"best-of", "compare"}) {
+  for (const char* name : {"best-of"}) {
     table.push_back({name, "VALUE", "", "", false});
   }
 }

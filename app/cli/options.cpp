@@ -98,6 +98,29 @@ std::filesystem::path readFileName(const Tokens& tokens, const std::string& opti
                    " cannot be written: give a name that ends in " + allowed + ".");
 }
 
+/// Methods side by side: each is run to its end, and what one result alone can fill is refused.
+void readCompare(const Tokens& tokens, Invocation& call) {
+  if (!tokens.has("compare")) return;
+  std::vector<std::string> methods;
+  for (const ParameterChoice& choice : findParameter("method")->choices) {
+    methods.push_back(choice.id);
+  }
+  std::string rest = tokens.text("compare");
+  for (std::size_t comma = 0; comma != std::string::npos;) {
+    comma = rest.find(',');
+    call.compare.push_back(readChoice("compare", rest.substr(0, comma), methods));
+    if (comma != std::string::npos) rest.erase(0, comma + 1);
+  }
+  for (const char* other : {"method", "steps", "iterations", "export-labels", "export-mesh",
+                            "export-uv", "export-seams", "save-session"}) {
+    if (tokens.has(other)) {
+      throw UsageError("--compare and --" + std::string(other) +
+                       " exclude each other: leave one out.");
+    }
+  }
+  if (call.session) throw UsageError("--compare needs a mesh, not a session: give its mesh.");
+}
+
 void readFiles(const Tokens& tokens, Invocation& call) {
   call.output = readFileName(tokens, "output", {".png"});
   call.exportLabels = readFileName(tokens, "export-labels", {".txt"});
@@ -314,7 +337,8 @@ Invocation::Task readTask(const Tokens& tokens, const Invocation& call) {
   for (const auto& [option, task] : tasks) {
     if (tokens.has(option) && readSwitch(option, tokens.text(option))) return task;
   }
-  return outputFiles(call).empty() && call.report.empty() ? Task::Window : Task::Batch;
+  return outputFiles(call).empty() && call.report.empty() && call.compare.empty() ? Task::Window
+                                                                                  : Task::Batch;
 }
 
 }  // namespace
@@ -334,6 +358,7 @@ Invocation readOptions(std::span<const std::string> words) {
   readSessionInput(tokens, call);
   readParameters(tokens, call);
   readSteps(tokens, call);
+  readCompare(tokens, call);
   readFiles(tokens, call);
   readPicture(tokens, call.picture);
   readFrames(tokens, call);

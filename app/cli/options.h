@@ -70,6 +70,7 @@ struct Invocation {
   std::filesystem::path exportUv;      ///< .png or .svg; "": none
   std::filesystem::path exportSeams;   ///< .obj; "": none
   std::filesystem::path saveSession;   ///< "": none
+  std::vector<std::string> compare;    ///< methods to run side by side; empty: the one asked for
   std::string report;                  ///< file name, "-" for standard output, "": none
   PictureOptions picture;
 

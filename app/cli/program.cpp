@@ -6,6 +6,7 @@
 #include <new>
 
 #include "app/cli/batch.h"
+#include "app/cli/compare.h"
 #include "app/cli/help.h"
 #include "app/cli/info.h"
 #include "app/cli/run_session.h"
@@ -56,7 +57,7 @@ int run(const Invocation& call, const WindowRunner& openWindow) {
     runInfo(call);
     return kDone;
   case Task::Batch:
-    runBatch(call);
+    call.compare.empty() ? runBatch(call) : runComparison(call);
     return kDone;
   case Task::Window:
     return openWindow(call);

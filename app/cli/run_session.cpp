@@ -52,7 +52,9 @@ void passNotices(Session& session) {
   }
 }
 
-void wait(Session& session, const Invocation& call) {
+}  // namespace
+
+void waitForSession(Session& session, const Invocation& call) {
   {
     ProgressLine line(call.verbose < LogLevel::Quiet);
     for (WorkStatus status = session.status(); status.busy; status = session.status()) {
@@ -65,6 +67,8 @@ void wait(Session& session, const Invocation& call) {
   throwIfInterrupted();
   passNotices(session);
 }
+
+namespace {
 
 void checkSample(const std::string& name) {
   std::vector<std::string> names;
@@ -119,7 +123,7 @@ bool takeSession(Session& session, const Invocation& call) {
   } else {
     session.setDocument(document, false);
   }
-  wait(session, call);
+  waitForSession(session, call);
   return again;
 }
 
@@ -138,7 +142,7 @@ void placeSeeds(Session& session, const Invocation& call) {
                      " asks for fewer charts: leave --charts out or raise it.");
   }
   session.setDocument(document, false);
-  wait(session, call);
+  waitForSession(session, call);
 }
 
 /// The option that cannot do without flat charts; "" when there is none.
@@ -172,7 +176,7 @@ void openInput(Session& session, const Invocation& call) {
   } else {
     session.open(call.file);
   }
-  wait(session, call);
+  waitForSession(session, call);
   if (!session.results()->mesh) throw Error("Nothing was loaded.");
 }
 
@@ -186,7 +190,7 @@ void segment(Session& session, const Invocation& call) {
   } else {
     session.step(StepUnit::Converged);
   }
-  wait(session, call);
+  waitForSession(session, call);
 }
 
 void unwrap(Session& session, const Invocation& call) {
@@ -194,7 +198,7 @@ void unwrap(Session& session, const Invocation& call) {
   if (needed.empty() && call.output.empty() && call.report.empty()) return;
   if (session.results()->segmentation->complete) {
     session.unwrap();
-    wait(session, call);
+    waitForSession(session, call);
   } else if (!needed.empty()) {
     throw Error(needed + " needs complete charts: leave --steps out.");
   }

@@ -22,6 +22,10 @@ void catchInterruptions();
 /// \throws Interrupted when one came since
 void throwIfInterrupted();
 
+/// Waits until the session rests; shows how far it is on a terminal.
+/// \throws Error for what failed, Interrupted
+void waitForSession(Session& session, const Invocation& call);
+
 /// Opens the file or sample of the call.
 /// \throws Error when it cannot be read, UsageError for an unknown sample.
 void openInput(Session& session, const Invocation& call);

@@ -113,6 +113,23 @@ Json timingJson(const TimingReport& timing) {
           {"pack", number(timing.pack)}};
 }
 
+Json comparisonJson(const ComparisonRow& row) {
+  return {{"method", row.method},
+          {"borders", row.alike ? "alike" : "as-left"},
+          {"charts", row.charts},
+          {"gauss_std_eq3", number(row.gaussStdEq3)},
+          {"gauss_std_eq3_over_mean", number(row.gaussStdOverMean)},
+          {"circle_l2_mean", number(row.circleMean)},
+          {"circle_l2_std", number(row.circleStd)},
+          {"circle_l2_median", number(row.circleMedian)},
+          {"circle_l2_max", number(row.circleMax)},
+          {"free_l2_mean", number(row.freeMean)},
+          {"free_l2_max", number(row.freeMax)},
+          {"seam_length_over_sqrt_area", number(row.seamLengthOverSqrtArea)},
+          {"cut_share", number(row.cutShare)},
+          {"segment_ms", number(row.segmentMilliseconds)}};
+}
+
 Json resultJson(const ResultReport& result) {
   using S = StretchReport;
   Json charts = Json::array();
@@ -145,11 +162,17 @@ Json resultJson(const ResultReport& result) {
 std::string reportText(const Report& report) {
   Json results = Json::array();
   for (const ResultReport& result : report.results) results.push_back(resultJson(result));
-  const Json json = {{"chartflood", report.version},
-                     {"input", inputJson(report.input)},
-                     {"parameters", parametersJson(report)},
-                     {"results", std::move(results)},
-                     {"peak_memory_bytes", report.peakMemoryBytes}};
+  Json json = {{"chartflood", report.version},
+               {"input", inputJson(report.input)},
+               {"parameters", parametersJson(report)},
+               {"results", std::move(results)},
+               {"peak_memory_bytes", report.peakMemoryBytes}};
+  if (!report.comparison.empty()) {
+    json["comparison"] = Json::array();
+    for (const ComparisonRow& row : report.comparison) {
+      json["comparison"].push_back(comparisonJson(row));
+    }
+  }
   // A file name need not be UTF-8, JSON must be.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/index.h"
+#include "core/model/comparison.h"
 #include "core/model/input_mesh.h"
 #include "core/model/unwrap.h"
 
@@ -96,6 +97,7 @@ struct Report {
   std::vector<std::pair<std::string, std::variant<bool, int, double, std::string>>> parameters;
   std::vector<Index> seeds;  ///< placed by hand, faces of the input file; empty: by the method
   std::vector<ResultReport> results;
+  std::vector<ComparisonRow> comparison;  ///< of several methods; empty: there was one
   std::size_t peakMemoryBytes = 0;
 };
 
