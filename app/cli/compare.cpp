@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/io/file_output.h"
 #include "core/io/write_report.h"
+#include "core/session/compared_methods.h"
 #include "core/session/make_report.h"
 
 namespace chartflood {
@@ -77,26 +78,22 @@ Run measured(Session& session, const Invocation& call, bool alike) {
   return run;
 }
 
-/// The rivals' borders stay as they are grown; t-flooding keeps the borders of the call, which are
-/// part of the method here.
-Parameters asLeft(const Invocation& call, const std::string& method) {
-  Parameters parameters = call.parameters;
-  parameters.method = method;
-  if (method != "t-flooding") parameters.refine = "none";
-  return parameters;
-}
-
 std::vector<Run> runsOf(Session& session, const Invocation& call) {
   std::vector<Run> runs;
   for (const std::string& method : call.compare) {
     Invocation one = call;
-    one.parameters = asLeft(call, method);
+    one.parameters = asLeft(call.parameters, method);
     Document document = session.document();
     document.parameters = one.parameters;
     session.setDocument(document, false);
     session.resetSeeds();
     segment(session, one);
     runs.push_back(measured(session, one, false));
+    if (one.parameters.refine == call.parameters.refine) {
+      runs.push_back(runs.back());
+      runs.back().row.alike = true;
+      continue;
+    }
     // Only borders change: finished charts are finished again in the new way.
     document = session.document();
     document.parameters.refine = call.parameters.refine;
@@ -126,7 +123,7 @@ std::string comparisonReport(const std::vector<Run>& runs) {
 void runComparison(const Invocation& call) {
   catchInterruptions();
   checkTargets(call);
-  if (!call.output.empty()) checkColumns(call.picture, call.compare.size());
+  if (!call.output.empty()) checkGrid(call);
   Session session(Session::Worker::Threaded);
   openInput(session, call);
   const std::vector<Run> runs = runsOf(session, call);
@@ -141,7 +138,7 @@ void runComparison(const Invocation& call) {
   }
   std::vector<StagedFile> files;
   if (!call.output.empty()) {
-    const Image image = drawSideBySide(shown, captions, call.picture, call.renderingBackend);
+    const Image image = drawSideBySide(shown, captions, call);
     const auto bytes = encodePng(image, pictureTexts(*shown.front()));
     files.emplace_back(call.output, std::string(bytes.begin(), bytes.end()));
   }

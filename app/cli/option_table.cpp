@@ -65,7 +65,8 @@ void addFiles(std::vector<OptionInfo>& table) {
                    "The work as it is, to go on with: give the file instead of a mesh."});
   table.push_back({"compare", "METHOD,METHOD,..", group,
                    "Several methods with the same number of charts, the same cuts and unwrap: a "
-                   "table on standard output, --output side by side, --report with all results."});
+                   "table on standard output, --output side by side (with several modes in "
+                   "--color-by below each other), --report with all results."});
   table.push_back(
       {"report", "F.json", group, "All figures as JSON; - writes them to standard output."});
 }

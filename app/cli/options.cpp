@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "app/cli/compare_options.h"
 #include "app/cli/option_table.h"
 #include "app/cli/tokens.h"
 #include "app/cli/values.h"
@@ -98,29 +99,6 @@ std::filesystem::path readFileName(const Tokens& tokens, const std::string& opti
                    " cannot be written: give a name that ends in " + allowed + ".");
 }
 
-/// Methods side by side: each is run to its end, and what one result alone can fill is refused.
-void readCompare(const Tokens& tokens, Invocation& call) {
-  if (!tokens.has("compare")) return;
-  std::vector<std::string> methods;
-  for (const ParameterChoice& choice : findParameter("method")->choices) {
-    methods.push_back(choice.id);
-  }
-  std::string rest = tokens.text("compare");
-  for (std::size_t comma = 0; comma != std::string::npos;) {
-    comma = rest.find(',');
-    call.compare.push_back(readChoice("compare", rest.substr(0, comma), methods));
-    if (comma != std::string::npos) rest.erase(0, comma + 1);
-  }
-  for (const char* other : {"method", "steps", "iterations", "export-labels", "export-mesh",
-                            "export-uv", "export-seams", "save-session"}) {
-    if (tokens.has(other)) {
-      throw UsageError("--compare and --" + std::string(other) +
-                       " exclude each other: leave one out.");
-    }
-  }
-  if (call.session) throw UsageError("--compare needs a mesh, not a session: give its mesh.");
-}
-
 void readFiles(const Tokens& tokens, Invocation& call) {
   call.output = readFileName(tokens, "output", {".png"});
   call.exportLabels = readFileName(tokens, "export-labels", {".txt"});
@@ -133,7 +111,8 @@ void readFiles(const Tokens& tokens, Invocation& call) {
 }
 
 void readColors(const Tokens& tokens, RenderSettings& settings) {
-  if (tokens.has("color-by")) {
+  // A comparison may show several, see readCompare.
+  if (tokens.has("color-by") && !tokens.has("compare")) {
     settings.colorMode =
         findColorMode(readChoice("color-by", tokens.text("color-by"), colorModeIds()))->mode;
   }
@@ -358,9 +337,9 @@ Invocation readOptions(std::span<const std::string> words) {
   readSessionInput(tokens, call);
   readParameters(tokens, call);
   readSteps(tokens, call);
-  readCompare(tokens, call);
   readFiles(tokens, call);
   readPicture(tokens, call.picture);
+  readCompare(tokens, call);
   readFrames(tokens, call);
   readCamera(tokens, call.picture.camera);
   readGeneral(tokens, call);

@@ -18,18 +18,20 @@ constexpr float kLineHeight = 1.5f;  // ems
 constexpr int kNarrowest = 64;       // pixels
 
 /// Sizes in pixels.
-struct Columns {
-  int width = 0;
+struct Grid {
+  int width = 0, height = 0;  ///< of one picture
   float em = 0;
   int strip = 0;  ///< height of the captions
 };
 
-Columns columnsOf(const PictureOptions& options, std::size_t count) {
-  Columns columns;
-  columns.width = options.width / static_cast<int>(count);
-  columns.em = std::max(8.0f, static_cast<float>(columns.width) / 26);
-  columns.strip = static_cast<int>(columns.em * kLineHeight * (kCaptionLines + 0.4f));
-  return columns;
+Grid gridOf(const Invocation& call) {
+  const int rows = std::max(1, static_cast<int>(call.compareRows.size()));
+  Grid grid;
+  grid.width = call.picture.width / static_cast<int>(call.compare.size());
+  grid.em = std::max(8.0f, static_cast<float>(grid.width) / 26);
+  grid.strip = static_cast<int>(grid.em * kLineHeight * (kCaptionLines + 0.4f));
+  grid.height = (call.picture.height - grid.strip) / rows;
+  return grid;
 }
 
 /// Lines of text on a plain ground.
@@ -63,27 +65,35 @@ void copyInto(const Image& from, int left, int top, Image& to) {
 
 }  // namespace
 
-void checkColumns(const PictureOptions& options, std::size_t columns) {
-  const Columns c = columnsOf(options, columns);
-  if (c.width >= kNarrowest && options.height - c.strip >= kNarrowest) return;
-  throw UsageError("--resolution is too small for " + std::to_string(columns) +
+void checkGrid(const Invocation& call) {
+  const Grid grid = gridOf(call);
+  if (grid.width >= kNarrowest && grid.height >= kNarrowest) return;
+  const std::size_t pictures =
+      call.compare.size() * std::max<std::size_t>(1, call.compareRows.size());
+  throw UsageError("--resolution is too small for " + std::to_string(pictures) +
                    " pictures side by side: give a larger one.");
 }
 
 Image drawSideBySide(std::span<const std::shared_ptr<const Results>> results,
-                     std::span<const std::vector<std::string>> captions,
-                     const PictureOptions& options, const std::string& backend) {
-  checkColumns(options, results.size());
-  const Columns columns = columnsOf(options, results.size());
-  PictureOptions column = options;
-  column.width = columns.width;
-  column.height = options.height - columns.strip;
-  Image image(options.width, options.height, {255, 255, 255, 255});
+                     std::span<const std::vector<std::string>> captions, const Invocation& call) {
+  checkGrid(call);
+  const Grid grid = gridOf(call);
+  std::vector<ColorMode> rows = call.compareRows;
+  if (rows.empty()) rows.push_back(call.picture.settings.colorMode);
+  PictureOptions one = call.picture;
+  one.width = grid.width;
+  one.height = grid.height;
+  Image image(call.picture.width, call.picture.height, {255, 255, 255, 255});
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const int left = static_cast<int>(i) * column.width;
-    copyInto(drawPicture(*results[i], column, backend), left, 0, image);
-    copyInto(captionImage(captions[i], column.width, columns.strip, columns.em, backend), left,
-             column.height, image);
+    const int left = static_cast<int>(i) * grid.width;
+    int top = 0;
+    for (const ColorMode mode : rows) {
+      one.settings.colorMode = mode;
+      copyInto(drawPicture(*results[i], one, call.renderingBackend), left, top, image);
+      top += grid.height;
+    }
+    copyInto(captionImage(captions[i], grid.width, grid.strip, grid.em, call.renderingBackend),
+             left, top, image);
   }
   return image;
 }

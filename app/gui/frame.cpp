@@ -220,6 +220,7 @@ void Frame::draw(SceneSource* source, UvSource* uvSource) {
   presetNameQuestion(ui);
   actionPalette(ui);
   ui.wakeIn(state_.keeper.dueIn());
+  if (state_.methodRuns.running()) ui.wakeIn(0.1);  // its bar moves
   if (!memory_.hoveredSeen) memory_.hovered.clear();
   if (state_.pointedChart != memory_.pointed) {
     state_.pointedChart = memory_.pointed;

@@ -130,10 +130,12 @@ class Window::Parts {
     if (!watch_.frameLog.empty()) frameLog_.open(watch_.frameLog);
     state_.session().setWake(wakeWindow);
     state_.insight().setWake(wakeWindow);
+    state_.methodRuns.setWake(wakeWindow);
   }
   ~Parts() {
     state_.session().setWake(nullptr);
     state_.insight().setWake({});
+    state_.methodRuns.setWake(nullptr);
   }
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;

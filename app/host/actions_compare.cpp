@@ -1,5 +1,6 @@
 // Actions that keep results beside the live ones and choose how they are looked at.
 
+#include <algorithm>
 #include <utility>
 
 #include "app/host/action_registry.h"
@@ -13,11 +14,14 @@ namespace chartflood {
 
 namespace {
 
-const std::vector<std::string> kSlots = {"A", "B", "C"};
+const std::vector<std::string> kSlots = {kCompareSlots.begin(), kCompareSlots.end()};
 
 std::string storeRefusal(const AppState& state) {
   if (!state.hasMesh()) return "There is no model yet; open one first.";
   if (state.changing()) return "The charts are changing: store them when they rest, or press Esc.";
+  if (state.methodRuns.running()) {
+    return "The methods that are being compared will be stored; Esc gives up.";
+  }
   if (!state.results().segmentation || state.results().stale) {
     return "There are no charts to store yet; press Play first.";
   }
@@ -110,6 +114,29 @@ void addSlots(ActionRegistry& registry) {
                 }});
 }
 
+std::string methodsRefusal(const AppState& state) {
+  if (!state.hasMesh()) return "There is no model yet; open one first.";
+  if (state.methodRuns.running()) return "The methods are being compared; Esc gives up.";
+  const auto& stored = state.compare.stored;
+  const bool own = std::any_of(stored.begin(), stored.end(),
+                               [](const StoredResult& each) { return !each.ofMethods; });
+  return own ? "A, B and C are needed for the methods and hold what you stored: clear them first."
+             : "";
+}
+
+void addMethods(ActionRegistry& registry) {
+  registry.add({.id = "compare-methods",
+                .title = "Compare the three methods",
+                .help = "Cuts the model by multi-chart geometry images (A), variational shape "
+                        "approximation (B) and t-flooding (C) with the present number of charts, "
+                        "cuts and unwrap, and shows them side by side. The present charts stay.",
+                .arguments = {},
+                .refusal = methodsRefusal,
+                .run = [](AppState& state, const Arguments&) {
+                  state.methodRuns.begin(state.results().mesh, state.document());
+                }});
+}
+
 void addLayout(ActionRegistry& registry, const char* id, const char* title, const char* help,
                Compare::Layout layout) {
   registry.add({.id = id,
@@ -148,6 +175,7 @@ void addLink(ActionRegistry& registry, const char* id, const char* title, const 
 }  // namespace
 
 void addCompareActions(ActionRegistry& registry) {
+  addMethods(registry);
   addSlots(registry);
   addLayout(registry, "side-by-side", "Side by side",
             "Shows what is stored side by side; with A alone the live state beside it.",

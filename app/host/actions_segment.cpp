@@ -171,11 +171,15 @@ void addRuns(ActionRegistry& registry) {
                 .arguments = {},
                 .refusal = {},
                 .run = [](AppState& state, const Arguments&) {
-                  if (!state.status().busy && !state.playback.playing()) {
+                  if (!state.status().busy && !state.playback.playing() &&
+                      !state.methodRuns.running()) {
                     state.selectedChart = kNone;
                   }
                   state.playback.pause();
                   state.session().stop();
+                  if (!state.methodRuns.running()) return;
+                  state.methodRuns.stop();
+                  state.notices.add(Notice::Kind::Info, "The comparison of methods was given up.");
                 }});
   registry.bind("Esc", "stop");
   registry.add(

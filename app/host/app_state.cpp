@@ -21,7 +21,8 @@ constexpr double kLongestPlayedSeconds = 0.1;
 }  // namespace
 
 AppState::AppState(Session::Worker worker)
-    : session_(worker), insight_(std::make_unique<Insight>(worker == Session::Worker::Inline)),
+    : methodRuns(worker), session_(worker),
+      insight_(std::make_unique<Insight>(worker == Session::Worker::Inline)),
       results_(session_.results()) {
   session_.setAutoUnwrap(true);
 }
@@ -30,6 +31,7 @@ void AppState::update(double seconds) {
   results_ = session_.results();
   status_ = session_.status();
   compare.update(results_);
+  updateMethodRuns(*this);
   takeNotices();
   notices.update(seconds);
   if (results_->meshVersion != meshVersion_) {
@@ -47,6 +49,7 @@ void AppState::takeNewMesh() {
   hoveredFace = pointedChart = selectedChart = hoveredSeed = panels.shownFace = kNone;
   seedDrag.reset();
   undo_.clear();  // its seeds are faces of another mesh
+  methodRuns.stop();
   view.uvCamera = {};
   view.isolate = false;
   view.frameWhenLoaded = true;

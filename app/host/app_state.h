@@ -15,6 +15,7 @@
 #include "app/host/compare.h"
 #include "app/host/handle_film.h"
 #include "app/host/insight.h"
+#include "app/host/method_runs.h"
 #include "app/host/notices.h"
 #include "app/host/playback.h"
 #include "app/host/preferences.h"
@@ -180,6 +181,7 @@ class AppState {
   Playback playback;
   HandleFilm film;
   Compare compare;
+  MethodRuns methodRuns;
   Preferences preferences;
   PanelState panels;
   Notices notices;

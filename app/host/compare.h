@@ -2,6 +2,7 @@
 /// Results kept beside the live ones, to be looked at side by side or through a wipe. Knows no
 /// window: which halves there are, how each is looked at and what stands under it.
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -40,6 +41,7 @@ struct StoredResult {
   std::vector<SeedMark> seeds;
   CompareLook look;
   Index selectedChart = kNone;
+  bool ofMethods = false;  ///< put here by the comparison of methods, the next may replace it
 };
 
 /// A half (or third) of the view: a stored result or the live state.
@@ -49,6 +51,9 @@ struct ComparePane {
   bool live() const { return stored == kLive; }
   bool operator==(const ComparePane&) const = default;
 };
+
+/// Names of what is stored.
+inline constexpr std::array<const char*, 3> kCompareSlots = {"A", "B", "C"};
 
 struct Compare {
   enum class Layout { Off, SideBySide, Wipe };

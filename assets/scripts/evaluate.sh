@@ -1,36 +1,69 @@
 #!/usr/bin/env bash
-# The paper's evaluation (section 4: figures 5 and 6, tables 1 and 2) on any meshes.
-#   assets/scripts/evaluate.sh FOLDER MESH..
-# For every mesh FOLDER gets, with the paper's parameters (-paper) and with ours (-ours): the three
-# methods side by side as charts and as checkerboards (figure 6), their figures as text and JSON
-# (tables 1 and 2); and once the Gauss area of vertices, edges and triangles (figure 5).
+# The paper's evaluation (section 4: figures 5 and 6, tables 1 and 2) on any meshes, with the paper's
+# parameters and with this program's.
+#   assets/scripts/evaluate.sh PROGRAM MESH-FOLDER OUTPUT-FOLDER [NAME..]
+# PROGRAM is the built chartflood, a NAME a file of the mesh folder or sample:NAME; without names the
+# usual ones that the folder has. The output folder gets evaluation.md with all tables, pictures/ with
+# figure 5 (Gauss area of corners, creases and triangles) and figure 6 (charts and checkerboards of the
+# three methods), and data/ with every figure as JSON, text and one table of values (all.tsv).
 set -euo pipefail
-if [ $# -lt 2 ]; then
-  echo "usage: $0 FOLDER MESH.." >&2
+if [ $# -lt 3 ]; then
+  echo "usage: $0 PROGRAM MESH-FOLDER OUTPUT-FOLDER [NAME..]" >&2
   exit 2
 fi
-program=$(dirname "$0")/../../build/release/chartflood
-if [ ! -x "$program" ]; then
-  echo "$program is not there: build the program first (./run.sh does)." >&2
-  exit 1
+program=$1 meshes=$2 out=$3
+shift 3
+[ -x "$program" ] || { echo "$program is no program: build it first (./run.sh does)." >&2; exit 1; }
+names=("$@")
+if [ ${#names[@]} = 0 ]; then
+  for name in happy-buddha-19976.ply sample:rocket igea-151558.ply homer.obj rocker-arm.obj \
+    stanford-bunny.obj armadillo-80354.ply; do
+    if [[ $name == sample:* || -f $meshes/$name ]]; then names+=("$name"); fi
+  done
 fi
-folder=$1
-shift
-mkdir -p "$folder"
-methods=mcgim,vsa,t-flooding
-for mesh in "$@"; do
-  name=$(basename "${mesh%.*}")
-  echo "== $name"
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
+mkdir -p "$out/pictures" "$out/data"
+table=$out/data/all.tsv
+: >"$table"
+
+# Rows of the table of values from the text of one comparison: mesh, triangles, parameters, borders
+# (left or alike), then what the text says of each method.
+rows() {
+  awk -v mesh="$1" -v triangles="$2" -v set="$3" -v OFS='\t' '
+    /^Charts as each/ { borders = "left" }
+    /^The same borders/ { borders = "alike" }
+    $1 ~ /^(mcgim|vsa|t-flooding)$/ {
+      sub("%", "", $11)
+      print mesh, triangles, set, borders, $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12
+    }' "$4"
+}
+
+# One comparison: short name of the mesh, name of the parameters, then the options.
+compare() {
+  local base=$out/data/$1-$2
+  "$program" "${source[@]}" --charts=20 --compare=mcgim,vsa,t-flooding --verbose=error \
+    --report="$base.json" "${@:3}" >"$base.txt"
+  local triangles
+  triangles=$(grep -o '"triangles": *[0-9]*' "$base.json" | head -1 | grep -o '[0-9]*$')
+  rows "$1" "$triangles" "$2" "$base.txt" >>"$table"
+}
+
+look=(--background=white --seed-marks=off --scalar-bar=off)
+for name in "${names[@]}"; do
+  source=("$meshes/$name") paper=paper
+  if [[ $name == sample:* ]]; then source=(--sample="${name#sample:}"); fi
+  if [[ $name == happy* ]]; then paper=paper-happy; fi  # the paper's p = 3
+  short=$(basename "${name#sample:}")
+  short=${short%.*}
+  echo "$short" >&2
   for element in vertex edge face; do
-    "$program" "$mesh" --steps=1 --color-by="gauss-$element" --seed-marks=off \
-      --output="$folder/$name-gauss-$element.png"
+    "$program" "${source[@]}" --steps=1 --color-by="gauss-$element" "${look[@]}" --seams=off \
+      --resolution=360,440 --output="$out/pictures/$short-gauss-$element.png"
   done
-  for set in paper ours; do
-    options=(--charts=20 --compare=$methods --resolution=1920,900)
-    if [ $set = paper ]; then options+=(--preset=paper); fi
-    "$program" "$mesh" "${options[@]}" --report="$folder/$name-$set.json" \
-      --output="$folder/$name-$set-charts.png" | tee "$folder/$name-$set.txt"
-    "$program" "$mesh" "${options[@]}" --unwrap=circle --color-by=checkerboard \
-      --output="$folder/$name-$set-checkerboard.png" >/dev/null
-  done
+  figure=("${look[@]}" --color-by=charts,checkerboard --resolution=1080,1000)
+  compare "$short" paper --preset=$paper "${figure[@]}" --output="$out/pictures/$short-paper.png"
+  compare "$short" ours "${figure[@]}" --output="$out/pictures/$short-ours.png"
+  compare "$short" moves --refine=moves
 done
+awk -f "$here/evaluation_page.awk" "$table" >"$out/evaluation.md"
+echo "$out/evaluation.md" >&2

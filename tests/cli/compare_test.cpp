@@ -62,6 +62,34 @@ TEST(Compare, PrintsATable) {
   EXPECT_THAT(run.output, HasSubstr("The same borders for all methods"));
 }
 
+TEST(Compare, DrawsARowForEachMode) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> same{"--charts=4", "--compare=vsa,mcgim", "--scalar-bar=off"};
+  const auto drawn = [&](const char* modes, const char* file, const char* size) {
+    std::vector<std::string> words = same;
+    words.insert(words.end(), {std::string("--color-by=") + modes, std::string("--output=") + file,
+                               std::string("--resolution=") + size});
+    const ProgramRun run = runIn(folder, words);
+    EXPECT_EQ(run.exitCode, 0) << run.errors;
+    return readPng(folder.path() / file);
+  };
+  const Image both = drawn("charts,checkerboard", "both.png", "400,560");
+  // Captions are as high as before, so that the first row is the picture of one mode alone.
+  const Image charts = drawn("charts", "charts.png", "400,306");
+  const Image squares = drawn("checkerboard", "squares.png", "400,306");
+  const int strip = 560 - 2 * (560 - 306);
+  const int row = 306 - strip;
+  std::size_t different = 0;
+  for (int y = 0; y < row; ++y) {
+    for (int x = 0; x < 400; ++x) {
+      different += both.at(x, y) == charts.at(x, y) ? 0 : 1;
+      different += both.at(x, row + y) == squares.at(x, y) ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(different, 0u);
+  EXPECT_NE(charts, squares);
+}
+
 TEST(Compare, RefusesInOneSentence) {
   const TemporaryFolder folder;
   const ProgramRun unknown = runIn(folder, {"--compare=vsa,mcgin"});
@@ -70,6 +98,12 @@ TEST(Compare, RefusesInOneSentence) {
   const ProgramRun both = runIn(folder, {"--compare=vsa", "--export-mesh=a.obj"});
   EXPECT_EQ(both.exitCode, 2);
   EXPECT_THAT(both.errors, HasSubstr("--compare and --export-mesh exclude each other"));
+  const ProgramRun film = runIn(folder, {"--compare=vsa", "--output=a.png", "--turntable=4"});
+  EXPECT_EQ(film.exitCode, 2);
+  EXPECT_THAT(film.errors, HasSubstr("--compare and --turntable exclude each other"));
+  const ProgramRun mode = runIn(folder, {"--compare=vsa", "--color-by=charts,checkers"});
+  EXPECT_EQ(mode.exitCode, 2);
+  EXPECT_THAT(mode.errors, HasSubstr("checkerboard"));
   const ProgramRun narrow =
       runIn(folder, {"--compare=vsa,mcgim", "--output=a.png", "--resolution=100,100"});
   EXPECT_EQ(narrow.exitCode, 2);

@@ -197,6 +197,8 @@ void runMenu(const Ui& ui) {
 
 void compareMenu(const Ui& ui) {
   if (!beginMenu(ui, "Compare")) return;
+  actionMenuItem(ui, "compare-methods");
+  ImGui::Separator();
   for (const char* slot : {"A", "B", "C"}) {
     actionMenuItem(ui, std::string("store ") + slot, std::string("Store as ") + slot);
   }

@@ -19,25 +19,32 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
+/// What is being done, how far it is, and a way to give up.
+void workBar(const Ui& ui, const std::string& words, float fraction) {
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::SameLine();
+  const float height = ui.px(6), width = ui.px(90);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float y = at.y + (ImGui::GetTextLineHeight() - height) / 2;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({at.x, y}, {at.x + width, y + height}, ui.theme.palette.control, height / 2);
+  list.AddRectFilled({at.x, y}, {at.x + width * fraction, y + height}, ui.theme.palette.accent,
+                     height / 2);
+  ImGui::Dummy({width, 0});
+  ImGui::SameLine();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), 0));
+  textButton(ui, "Stop", "stop");
+  ImGui::PopStyleVar();
+}
+
 void workState(const Ui& ui) {
   const WorkStatus& status = ui.state.status();
   if (status.busy && status.seconds > kQuietSeconds) {
-    const std::string phase = *status.phase == '\0' ? "Working" : status.phase;
-    ImGui::TextUnformatted(phase.c_str());
-    ImGui::SameLine();
-    const float height = ui.px(6), width = ui.px(90);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float y = at.y + (ImGui::GetTextLineHeight() - height) / 2;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({at.x, y}, {at.x + width, y + height}, ui.theme.palette.control, height / 2);
-    list.AddRectFilled({at.x, y}, {at.x + width * status.fraction, y + height},
-                       ui.theme.palette.accent, height / 2);
-    ImGui::Dummy({width, 0});
-    ImGui::SameLine();
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), 0));
-    textButton(ui, "Stop", "stop");
-    ImGui::PopStyleVar();
-    return;
+    return workBar(ui, *status.phase == '\0' ? "Working" : status.phase, status.fraction);
+  }
+  if (ui.state.methodRuns.running()) {
+    const MethodRuns::State runs = ui.state.methodRuns.state();
+    return workBar(ui, runs.words, runs.fraction);
   }
   const Playback& playback = ui.state.playback;
   const char* words = "Open a model to begin";

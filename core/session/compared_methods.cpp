@@ -1,0 +1,11 @@
+#include "core/session/compared_methods.h"
+
+namespace chartflood {
+
+Parameters asLeft(Parameters parameters, const std::string& method) {
+  parameters.method = method;
+  if (method != "t-flooding") parameters.refine = "none";
+  return parameters;
+}
+
+}  // namespace chartflood
