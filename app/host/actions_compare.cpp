@@ -127,9 +127,8 @@ std::string methodsRefusal(const AppState& state) {
 void addMethods(ActionRegistry& registry) {
   registry.add({.id = "compare-methods",
                 .title = "Compare the three methods",
-                .help = "Cuts the model by multi-chart geometry images (A), variational shape "
-                        "approximation (B) and t-flooding (C) with the present number of charts, "
-                        "cuts and unwrap, and shows them side by side. The present charts stay.",
+                .help = "Cuts the model by MCGIM (A), VSA (B) and t-flooding (C) with the present "
+                        "number of charts, cuts and unwrap, side by side; the live charts stay.",
                 .arguments = {},
                 .refusal = methodsRefusal,
                 .run = [](AppState& state, const Arguments&) {

@@ -95,6 +95,7 @@ void show(AppState& state, const std::vector<MethodRuns::Done>& runs) {
     state.compare.store(std::move(stored));
   }
   state.compare.layout = Compare::Layout::SideBySide;
+  state.view.frameWhenLoaded = true;  // the sides are narrower than the view was
   state.notices.add(Notice::Kind::Info, "The methods stand side by side: " + said + '.');
 }
 

@@ -48,22 +48,25 @@ compare() {
   rows "$1" "$triangles" "$2" "$base.txt" >>"$table"
 }
 
-look=(--background=white --seed-marks=off --scalar-bar=off)
 for name in "${names[@]}"; do
   source=("$meshes/$name") paper=paper
   if [[ $name == sample:* ]]; then source=(--sample="${name#sample:}"); fi
-  if [[ $name == happy* ]]; then paper=paper-happy; fi  # the paper's p = 3
+  look=(--background=white --seed-marks=off --scalar-bar=off)
+  if [[ $name == happy* ]]; then
+    paper=paper-happy  # the paper's p = 3
+    look+=(--up=+Z)
+  fi
   short=$(basename "${name#sample:}")
   short=${short%.*}
   echo "$short" >&2
   for element in vertex edge face; do
     "$program" "${source[@]}" --steps=1 --color-by="gauss-$element" "${look[@]}" --seams=off \
-      --resolution=360,440 --output="$out/pictures/$short-gauss-$element.png"
+      --resolution=270,330 --output="$out/pictures/$short-gauss-$element.png"
   done
-  figure=("${look[@]}" --color-by=charts,checkerboard --resolution=1080,1000)
+  figure=("${look[@]}" --color-by=charts,checkerboard --resolution=780,740)
   compare "$short" paper --preset=$paper "${figure[@]}" --output="$out/pictures/$short-paper.png"
   compare "$short" ours "${figure[@]}" --output="$out/pictures/$short-ours.png"
   compare "$short" moves --refine=moves
 done
-awk -f "$here/evaluation_page.awk" "$table" >"$out/evaluation.md"
+awk -f "$here/evaluation_page.awk" "$table" | cat -s >"$out/evaluation.md"
 echo "$out/evaluation.md" >&2

@@ -61,6 +61,7 @@ function table(title, set, borders, kind) {
   print "\n**" title "**\n"
   head()
   rowsOf(set, borders, kind)
+  print ""
 }
 
 END {
@@ -104,14 +105,15 @@ END {
         "ours", "alike", "median")
   table("Standard deviation of Gauss area after minimum cuts", "ours", "alike", "gauss")
   part("Pictures", \
-    "Gauss area of corners, creases and triangles (figure 5), and charts and checkerboards by MCGIM, VSA and\n" \
-    "t-flooding, with the paper's parameters and with this program's (figure 6).")
-  for (i = 1; i <= meshes && i <= 3; ++i) {
+    "Figure 5: Gauss area of corners, creases and triangles. Figure 6: charts and checkerboards by MCGIM, VSA\n" \
+    "and t-flooding, here with this program's parameters; the output folder has those of all meshes and with\n" \
+    "the paper's parameters, too.")
+  for (i = 1; i <= meshes && i <= 2; ++i) {
     m = order[i]
+    if (i > 1) print ""
     print "### " m "\n"
-    printf "![corners](pictures/%s-gauss-vertex.png) ![creases](pictures/%s-gauss-edge.png)", m, m
-    printf " ![triangles](pictures/%s-gauss-face.png)\n\n", m
-    printf "![the paper's parameters](pictures/%s-paper.png)\n\n", m
-    printf "![this program's parameters](pictures/%s-ours.png)\n\n", m
+    printf "![corners](pictures/%s-gauss-vertex.png) ![creases](pictures/%s-gauss-edge.png)\n", m, m
+    printf "![triangles](pictures/%s-gauss-face.png)\n\n", m
+    printf "![charts and checkerboards of the methods](pictures/%s-ours.png)\n", m
   }
 }

@@ -25,14 +25,16 @@ void workBar(const Ui& ui, const std::string& words, float fraction) {
   ImGui::SameLine();
   const float height = ui.px(6), width = ui.px(90);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float y = at.y + (ImGui::GetTextLineHeight() - height) / 2;
+  const float y = at.y + (ImGui::GetFrameHeight() - height) / 2;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled({at.x, y}, {at.x + width, y + height}, ui.theme.palette.control, height / 2);
   list.AddRectFilled({at.x, y}, {at.x + width * fraction, y + height}, ui.theme.palette.accent,
                      height / 2);
   ImGui::Dummy({width, 0});
   ImGui::SameLine();
+  const float lower = ImGui::GetStyle().FramePadding.y;  // the words stand as if in a frame
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), 0));
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
   textButton(ui, "Stop", "stop");
   ImGui::PopStyleVar();
 }

@@ -101,6 +101,7 @@ TEST_P(Conformance, AnyWayThereGivesTheSameLabels) {
     outcome = mixed->advance(unit, unit == StepUnit::Face ? 1 + rng.below(3000) : 1, progress);
   }
   EXPECT_EQ(mixed->state()->label, expected->label);
+  EXPECT_EQ(mixed->state()->seeds, expected->seeds);
   // Cancelled again and again.
   const auto cancelled = GetParam().method->make(in_, options_);
   outcome = StepOutcome::Cancelled;
@@ -111,6 +112,7 @@ TEST_P(Conformance, AnyWayThereGivesTheSameLabels) {
     ASSERT_LT(i, 100000);
   }
   EXPECT_EQ(cancelled->state()->label, expected->label);
+  EXPECT_EQ(cancelled->state()->seeds, expected->seeds);
   EXPECT_EQ(cancelled->stopReason(), mixed->stopReason());
 }
 
@@ -129,6 +131,8 @@ TEST_P(Conformance, AnyNumberOfCharts) {
     options_.charts = charts;
     options_.maxIterations = 3;
     const auto state = inOneGo(*GetParam().method, in_, options_);
+    EXPECT_EQ(state->chartCount,
+              std::min(std::max(charts, mesh_->componentCount()), mesh_->faceCount()));
     test::expectValid(*mesh_, *in_.gaussArea, *state);
   }
 }
