@@ -32,9 +32,9 @@ void workBar(const Ui& ui, const std::string& words, float fraction) {
                      height / 2);
   ImGui::Dummy({width, 0});
   ImGui::SameLine();
-  const float lower = ImGui::GetStyle().FramePadding.y;  // the words stand as if in a frame
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(6), 0));
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + lower);
+  // As high as the words' frame, so that both stand on one line.
+  const ImVec2 padding(ui.px(6), ImGui::GetStyle().FramePadding.y);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
   textButton(ui, "Stop", "stop");
   ImGui::PopStyleVar();
 }
