@@ -484,9 +484,11 @@ std::vector<ParameterInfo> methodRows() {
        .member = &Parameters::start,
        .stage = Stage::Seeds,
        .group = "Method",
-       .help = "Flood: seeds far apart, as in the paper. Auto: the best one for the model.",
+       .help =
+           "Flood: seeds far apart, as in the paper. Creases: the parts between sharp edges, for "
+           "machine parts. Auto: creases where these divide the model.",
        .source = "3.4",
-       .choices = {{"auto", "Auto", true}, {"flood", "Flood", true}, {"creases", "Creases", false}},
+       .choices = {{"auto", "Auto", true}, {"flood", "Flood", true}, {"creases", "Creases", true}},
        .method = "t-flooding"},
   };
 }

@@ -10,6 +10,7 @@
 #include "core/gauss/compute_gauss_area.h"
 #include "core/pack/layout_atlas.h"
 #include "core/param/unwrap_charts.h"
+#include "core/segment/crease_start.h"
 #include "core/segment/registry.h"
 #include "core/segment/seeds.h"
 
@@ -232,7 +233,14 @@ void Pipeline::makeStepper(std::size_t maxIterations) {
   options.vsa = {vsaSeeding(p.vsaSeeding), p.vsaTeleport};
   options.mcgim = {p.mcgimLambda, p.mcgimNormals == "running", p.mcgimDisks};
   options.onFlood = [this](const FloodStart& start) { noteFlood(start); };
-  stepper_ = findSegmenter(p.method)->make({mesh_, gauss_, graph_}, options);
+  const SegmentInputs inputs{mesh_, gauss_, graph_};
+  // Seeds placed by hand say where charts begin. Creases guide the refinement by cuts, so without
+  // it the automatic choice is the flood.
+  const bool creases = p.method == "t-flooding" && document_.seeds.empty() &&
+                       (p.start == "creases" ||
+                        (p.start == "auto" && p.refine == "cuts" && suitsCreaseStart(inputs)));
+  stepper_ =
+      creases ? makeCreaseStart(inputs, options) : findSegmenter(p.method)->make(inputs, options);
   timing_.segment = 0;
   tellChartCount();
 }

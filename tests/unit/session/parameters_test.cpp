@@ -187,7 +187,6 @@ TEST(ParameterRefusal, OfChoicesThatAreNotBuilt) {
     }
   }
   EXPECT_EQ(refusal("search", "fast"), "--search=fast is not built yet: give auto or literal.");
-  EXPECT_EQ(refusal("start", "creases"), "--start=creases is not built yet: give auto or flood.");
 }
 
 TEST(ParameterRefusal, OfTheWrongKindOfValue) {

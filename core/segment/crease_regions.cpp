@@ -1,0 +1,147 @@
+#include "core/segment/crease_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "core/flood/build_flood_graph.h"
+#include "core/segment/region_graph.h"
+#include "core/segment/split_chart.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr double kSmallest = 0.003;  // share of the surface that a region needs
+constexpr double kLargest = 0.6;     // share above which one region is the model
+constexpr std::size_t kFewest = 4;   // regions that make a divided model
+
+/// Numbers the labels without gaps, by their first face.
+CreaseRegions numbered(std::span<const Index> label, std::size_t bound) {
+  CreaseRegions regions;
+  std::vector<Index> number(bound, kNone);
+  for (const Index l : label) {
+    if (number[l] == kNone) number[l] = static_cast<Index>(regions.count++);
+    regions.label.push_back(number[l]);
+  }
+  return regions;
+}
+
+/// Faces that can be reached without crossing a sharp edge.
+CreaseRegions smoothParts(const Mesh& mesh, const GaussArea& gauss) {
+  const auto opposite = mesh.opposite();
+  std::vector<bool> sharp(opposite.size(), false);
+  for (const Index s : gauss.sharpEdges) sharp[s] = sharp[opposite[s]] = true;
+  CreaseRegions regions;
+  regions.label.assign(mesh.faceCount(), kNone);
+  std::vector<Index> queue;
+  for (Index start = 0; start < mesh.faceCount(); ++start) {
+    if (regions.label[start] != kNone) continue;
+    const Index number = static_cast<Index>(regions.count++);
+    regions.label[start] = number;
+    queue.assign(1, start);
+    while (!queue.empty()) {
+      const Index f = queue.back();
+      queue.pop_back();
+      for (Index s = 3 * mesh.triangleBegin(f); s < 3 * mesh.triangleBegin(f + 1); ++s) {
+        if (opposite[s] == kNone || sharp[s]) continue;
+        const Index g = mesh.faceOf(opposite[s] / 3);
+        if (regions.label[g] != kNone) continue;
+        regions.label[g] = number;
+        queue.push_back(g);
+      }
+    }
+  }
+  return regions;
+}
+
+std::vector<double> regionAreas(const Mesh& mesh, const CreaseRegions& regions) {
+  std::vector<double> area(regions.count, 0);
+  const std::vector<double> faceArea = faceAreas(mesh);
+  for (Index f = 0; f < faceArea.size(); ++f) area[regions.label[f]] += faceArea[f];
+  return area;
+}
+
+}  // namespace
+
+CreaseRegions creaseRegions(const Mesh& mesh, const GaussArea& gauss) {
+  const CreaseRegions parts = smoothParts(mesh, gauss);
+  const auto opposite = mesh.opposite();
+  const auto positions = mesh.positions();
+  std::vector<std::map<Index, double>> border(parts.count);  // length against each neighbour
+  for (Index s = 0; s < opposite.size(); ++s) {
+    if (opposite[s] == kNone) continue;
+    const Index a = parts.label[mesh.faceOf(s / 3)];
+    const Index b = parts.label[mesh.faceOf(opposite[s] / 3)];
+    if (a == b) continue;
+    border[a][b] += glm::length(positions[mesh.sideStart(s)] - positions[mesh.sideEnd(s)]);
+  }
+  std::vector<double> area = regionAreas(mesh, parts);
+  std::vector<Index> into(parts.count);
+  const double least = kSmallest * mesh.surfaceArea();
+  std::set<std::pair<double, Index>> small;  // the smallest first
+  for (Index r = 0; r < parts.count; ++r) {
+    into[r] = r;
+    if (area[r] < least) small.emplace(area[r], r);
+  }
+  while (!small.empty()) {
+    const Index r = small.begin()->second;
+    small.erase(small.begin());
+    Index best = kNone;
+    double longest = -1;
+    for (const auto& [other, length] : border[r]) {
+      if (length > longest) best = other;
+      longest = std::max(longest, length);
+    }
+    if (best == kNone) continue;  // a part of its own
+    small.erase({area[best], best});
+    area[best] += area[r];
+    if (area[best] < least) small.emplace(area[best], best);
+    into[r] = best;
+    for (const auto& [other, length] : border[r]) {
+      border[other].erase(r);
+      if (other == best) continue;
+      border[best][other] += length;
+      border[other][best] += length;
+    }
+    border[r].clear();
+  }
+  std::vector<Index> label(parts.label);
+  for (Index& l : label) {
+    while (into[l] != l) l = into[l] = into[into[l]];
+  }
+  return numbered(label, parts.count);
+}
+
+bool dividedByCreases(const Mesh& mesh, const CreaseRegions& regions) {
+  const std::vector<double> area = regionAreas(mesh, regions);
+  std::size_t large = 0;
+  for (const double a : area) {
+    if (a > kLargest * mesh.surfaceArea()) return false;
+    large += a >= kSmallest * mesh.surfaceArea() ? 1 : 0;
+  }
+  return large >= kFewest;
+}
+
+CreaseRegions chartsFromCreases(const Mesh& mesh, const GaussArea& gauss,
+                                std::span<const double> faceGauss, CreaseRegions regions,
+                                std::size_t charts) {
+  if (regions.count > charts) {
+    RegionGraph graph(mesh, regions.label, regions.count);
+    while (graph.count() > charts && graph.joinBest()) {
+    }
+    std::vector<Index> label(regions.label);
+    for (Index& l : label) l = graph.regionNow(l);
+    return numbered(label, regions.count);
+  }
+  ChartSplitter splitter(mesh, gauss, faceGauss, std::move(regions.label), regions.count);
+  while (splitter.count() < charts && splitter.splitNext()) {
+  }
+  return numbered(splitter.labels(), splitter.count());
+}
+
+}  // namespace chartflood

@@ -1,0 +1,210 @@
+#include "core/segment/crease_start.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/base/check.h"
+#include "core/gauss/compute_gauss_area.h"
+#include "core/segment/balance.h"
+#include "core/segment/border_refiner.h"
+#include "core/segment/chart_areas.h"
+#include "core/segment/crease_regions.h"
+#include "core/segment/seeds.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr double kBalanceShare = 0.01;
+constexpr double kCreaseShare = 1.0 / 3;
+constexpr std::size_t kPublish = 1024;  // faces
+
+class CreaseStart final : public Stepper {
+ public:
+  CreaseStart(const SegmentInputs& inputs, const SegmentOptions& options)
+      : in_(inputs), options_(options), faceGauss_(faceGaussArea(*in_.mesh, *in_.gaussArea)) {
+    const std::size_t charts = effectiveChartCount(*in_.mesh, options.charts);
+    CreaseRegions regions = chartsFromCreases(*in_.mesh, *in_.gaussArea, faceGauss_,
+                                              creaseRegions(*in_.mesh, *in_.gaussArea), charts);
+    label_ = std::move(regions.label);
+    findMiddles(regions.count);
+    growFromMiddles();
+    restartFlood();
+  }
+
+  StepOutcome advance(StepUnit unit, std::size_t count, Progress& progress) override {
+    if (phase_ == Phase::Done) return StepOutcome::Finished;
+    if (phase_ == Phase::Growing) {
+      const std::size_t left = order_.size() - taken_;
+      take(unit == StepUnit::Face ? std::min(left, count) : left);
+      const bool more = unit == StepUnit::Converged || (unit == StepUnit::Face && count > left) ||
+                        (unit != StepUnit::Face && count > 1);
+      if (progress.cancelled()) return StepOutcome::Cancelled;
+      if (!more || phase_ == Phase::Growing) return StepOutcome::Advanced;
+    }
+    return refine(progress);
+  }
+
+  std::shared_ptr<const Segmentation> state() const override {
+    auto state = std::make_shared<Segmentation>();
+    state->method = "creases";
+    state->chartCount = seeds_.size();
+    state->requestedCharts = options_.charts;
+    state->seeds = seeds_;
+    state->complete = phase_ != Phase::Growing;
+    state->refined = phase_ == Phase::Done && options_.refine.kind != RefineKind::None;
+    state->label.assign(label_.size(), kNone);
+    for (std::size_t i = 0; i < taken_; ++i) state->label[order_[i]] = label_[order_[i]];
+    if (phase_ == Phase::Done) state->label = finalLabel_;
+    state->areas = areasOf(state->label);
+    return state;
+  }
+
+  std::shared_ptr<const FloodRecord> record() const override { return record_; }
+  std::shared_ptr<const SeamRecord> seamRecord() const override {
+    return phase_ == Phase::Done ? seamRecord_ : nullptr;
+  }
+  std::span<const IterationSummary> history() const override { return history_; }
+  std::size_t bestIteration() const override { return 0; }
+  StopReason stopReason() const override {
+    return phase_ == Phase::Done ? StopReason::Converged : StopReason::NotStopped;
+  }
+  bool finished() const override { return phase_ == Phase::Done; }
+
+  StepOutcome adopt(std::size_t iteration, Progress& progress) override {
+    CF_CHECK(iteration < history_.size());
+    restartFlood();
+    take(order_.size());
+    return progress.cancelled() ? StepOutcome::Cancelled : StepOutcome::Advanced;
+  }
+
+  void restartFlood() override {
+    record_ = options_.record ? std::make_shared<FloodRecord>(in_.mesh->faceCount()) : nullptr;
+    taken_ = 0;
+    phase_ = Phase::Growing;
+    refiner_.reset();
+    if (options_.onFlood) options_.onFlood({record_, 0, seeds_, offsets_});
+  }
+
+ private:
+  enum class Phase { Growing, Grown, Done };
+
+  ChartAreas areasOf(std::span<const Index> label) const {
+    return chartAreas(*in_.mesh, *in_.gaussArea, faceGauss_, label, seeds_.size());
+  }
+
+  template <class Visit>
+  void forNeighbours(Index f, const Visit& visit) const {
+    const Mesh& mesh = *in_.mesh;
+    for (Index s = 3 * mesh.triangleBegin(f); s < 3 * mesh.triangleBegin(f + 1); ++s) {
+      const Index other = mesh.opposite()[s];
+      visit(other == kNone ? kNone : mesh.faceOf(other / 3));
+    }
+  }
+
+  /// The seed of each chart: the face most steps away from the chart's border.
+  void findMiddles(std::size_t charts) {
+    seeds_.assign(charts, kNone);
+    std::vector<Index> queue, depth(label_.size(), kNone);
+    for (Index f = 0; f < label_.size(); ++f) {
+      bool border = false;
+      forNeighbours(f, [&](Index g) { border = border || g == kNone || label_[g] != label_[f]; });
+      if (border) depth[f] = 0;
+      if (border) queue.push_back(f);
+    }
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      forNeighbours(queue[i], [&](Index g) {
+        if (g == kNone || depth[g] != kNone) return;
+        depth[g] = depth[queue[i]] + 1;
+        queue.push_back(g);
+      });
+    }
+    for (Index f = 0; f < label_.size(); ++f) {
+      Index& seed = seeds_[label_[f]];
+      if (seed == kNone || (depth[f] != kNone && depth[f] > depth[seed])) seed = f;
+    }
+    offsets_.assign(charts, 0);
+  }
+
+  /// The order in which the charts are shown to grow: breadth-first, all at the same time.
+  void growFromMiddles() {
+    order_ = seeds_;
+    order_.reserve(label_.size());
+    step_.assign(label_.size(), kNone);
+    for (const Index seed : seeds_) step_[seed] = 0;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const Index f = order_[i];
+      forNeighbours(f, [&](Index g) {
+        if (g == kNone || step_[g] != kNone || label_[g] != label_[f]) return;
+        step_[g] = step_[f] + 1;
+        order_.push_back(g);
+      });
+    }
+    CF_CHECK(order_.size() == label_.size());
+  }
+
+  void take(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i, ++taken_) {
+      if (!record_) continue;
+      const Index f = order_[taken_];
+      record_->append(f, label_[f], static_cast<float>(step_[f]));
+      if (i % kPublish == kPublish - 1) record_->publish();
+    }
+    if (record_) record_->publish();
+    if (taken_ < order_.size()) return;
+    phase_ = Phase::Grown;
+    if (!history_.empty()) return;
+    const Balance balance = balanceOf(areasOf(label_).gaussArea);
+    IterationSummary round;
+    round.stdOverMean = balance.stdOverMean();
+    round.balanceDefined = balance.defined;
+    round.seeds = seeds_;
+    round.offsets = offsets_;
+    history_.push_back(std::move(round));
+  }
+
+  StepOutcome refine(Progress& progress) {
+    if (!refiner_) {
+      RefineOptions refine = options_.refine;
+      refine.oneSided = true;
+      refine.balanceWeight *= kBalanceShare;
+      refine.creaseWeight *= kCreaseShare;
+      refiner_ =
+          std::make_unique<BorderRefiner>(in_, faceGauss_, label_, seeds_.size(), seeds_, refine);
+    }
+    if (!refiner_->run(progress)) return StepOutcome::Cancelled;
+    finalLabel_.assign(refiner_->labels().begin(), refiner_->labels().end());
+    seamRecord_ = refiner_->record();
+    refiner_.reset();
+    phase_ = Phase::Done;
+    return StepOutcome::Finished;
+  }
+
+  SegmentInputs in_;
+  SegmentOptions options_;
+  std::vector<double> faceGauss_;
+  std::vector<Index> label_, finalLabel_;
+  std::vector<Index> seeds_;
+  std::vector<double> offsets_;
+  std::vector<Index> order_, step_;  ///< faces as they are shown, and steps from their seed
+  std::size_t taken_ = 0;
+  Phase phase_ = Phase::Growing;
+  std::shared_ptr<FloodRecord> record_;
+  std::vector<IterationSummary> history_;
+  std::unique_ptr<BorderRefiner> refiner_;
+  std::shared_ptr<const SeamRecord> seamRecord_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> makeCreaseStart(const SegmentInputs& inputs,
+                                         const SegmentOptions& options) {
+  return std::make_unique<CreaseStart>(inputs, options);
+}
+
+bool suitsCreaseStart(const SegmentInputs& inputs) {
+  return dividedByCreases(*inputs.mesh, creaseRegions(*inputs.mesh, *inputs.gaussArea));
+}
+
+}  // namespace chartflood

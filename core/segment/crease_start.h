@@ -1,0 +1,20 @@
+#pragma once
+/// Segmentation that begins with the regions between sharp edges instead of a flood.
+
+#include <memory>
+
+#include "core/segment/segmenter.h"
+
+namespace chartflood {
+
+/// A method whose charts are those of chartsFromCreases(). Its one round shows them growing from
+/// their middles; then borders are refined with one-sided balance, because an even share of Gauss
+/// area means little where planes have none: a hundredth of the weight of balance, and creases
+/// count a third of what they do otherwise. Seeds of the options are not used.
+std::unique_ptr<Stepper> makeCreaseStart(const SegmentInputs& inputs,
+                                         const SegmentOptions& options);
+
+/// True when the model is divided by its sharp edges, so that makeCreaseStart() suits it.
+bool suitsCreaseStart(const SegmentInputs& inputs);
+
+}  // namespace chartflood

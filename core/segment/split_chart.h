@@ -1,0 +1,54 @@
+#pragma once
+/// Charts that are split in two, the largest and most curved first.
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/base/index.h"
+#include "core/model/gauss_area.h"
+#include "core/model/mesh.h"
+
+namespace chartflood {
+
+class ChartSplitter {
+ public:
+  /// \param faceGauss faceGaussArea() of the mesh
+  ChartSplitter(const Mesh& mesh, const GaussArea& gauss, std::span<const double> faceGauss,
+                std::vector<Index> label, std::size_t charts);
+
+  std::size_t count() const { return charts_.size(); }
+  std::span<const Index> labels() const { return label_; }
+  /// Splits the chart with the greatest (half its share of Gauss area + half its share of area)
+  /// * (1 + min(2, 1 - Euler number)), so that rings go first, between two faces far from each
+  /// other. False when no chart has two faces.
+  bool splitNext();
+
+ private:
+  struct Chart {
+    std::vector<Index> faces;
+    double area = 0;
+    double gauss = 0;  ///< of its faces
+    int euler = 0;
+  };
+  void measure(Index chart);
+  double need(const Chart& chart) const;
+  /// Distances over face centres inside a chart; each face learns which source is nearest.
+  void search(const Chart& chart, std::span<const Index> sources);
+  Index farthest(const Chart& chart) const;
+
+  const Mesh& mesh_;
+  std::span<const double> faceGauss_;
+  std::vector<double> area_;
+  std::vector<glm::dvec3> center_;
+  double gaussTotal_ = 0;
+  std::vector<Index> label_;
+  std::vector<Chart> charts_;
+  std::vector<double> distance_;
+  std::vector<Index> nearest_;
+  std::vector<std::pair<double, Index>> heap_;
+};
+
+}  // namespace chartflood
