@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "core/flood/build_flood_graph.h"
+#include "core/gauss/compute_gauss_area.h"
 #include "core/segment/region_graph.h"
 #include "core/segment/split_chart.h"
 
@@ -17,8 +19,11 @@ namespace chartflood {
 namespace {
 
 constexpr double kSmallest = 0.003;  // share of the surface that a region needs
-constexpr double kLargest = 0.6;     // share above which one region is the model
-constexpr std::size_t kFewest = 4;   // regions that make a divided model
+// Of a model that creases divide:
+constexpr std::size_t kFewest = 4;      // parts
+constexpr double kLargest = 0.6;        // share of the largest part
+constexpr double kLargestCurved = 0.4;  // the same where that is curved
+constexpr double kInLarge = 0.95;       // share of the surface in parts that are not small
 
 /// Numbers the labels without gaps, by their first face.
 CreaseRegions numbered(std::span<const Index> label, std::size_t bound) {
@@ -117,14 +122,29 @@ CreaseRegions creaseRegions(const Mesh& mesh, const GaussArea& gauss) {
   return numbered(label, parts.count);
 }
 
-bool dividedByCreases(const Mesh& mesh, const CreaseRegions& regions) {
-  const std::vector<double> area = regionAreas(mesh, regions);
-  std::size_t large = 0;
-  for (const double a : area) {
-    if (a > kLargest * mesh.surfaceArea()) return false;
-    large += a >= kSmallest * mesh.surfaceArea() ? 1 : 0;
+bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss) {
+  const CreaseRegions parts = smoothParts(mesh, gauss);
+  if (parts.count < kFewest) return false;
+  const double surface = mesh.surfaceArea();
+  const std::vector<double> area = regionAreas(mesh, parts);
+  const std::vector<double> faceGauss = faceGaussArea(mesh, gauss);
+  std::vector<double> curved(parts.count, 0);
+  for (Index f = 0; f < faceGauss.size(); ++f) curved[parts.label[f]] += faceGauss[f];
+  double large = 0;
+  for (Index r = 0; r < parts.count; ++r) {
+    const bool soft = curved[r] > 2 * std::numbers::pi;
+    if (area[r] > (soft ? kLargestCurved : kLargest) * surface) return false;
+    if (area[r] >= kSmallest * surface) large += area[r];
   }
-  return large >= kFewest;
+  double length = 0, between = 0;
+  for (const Index s : gauss.sharpEdges) {
+    const Index other = mesh.opposite()[s];
+    const double l =
+        glm::length(mesh.positions()[mesh.sideStart(s)] - mesh.positions()[mesh.sideEnd(s)]);
+    length += l;
+    if (parts.label[mesh.faceOf(s / 3)] != parts.label[mesh.faceOf(other / 3)]) between += l;
+  }
+  return large >= kInLarge * surface && between >= length / 2;
 }
 
 CreaseRegions chartsFromCreases(const Mesh& mesh, const GaussArea& gauss,

@@ -23,9 +23,16 @@ struct CreaseRegions {
 /// charts. Cost: about linear.
 CreaseRegions creaseRegions(const Mesh& mesh, const GaussArea& gauss);
 
-/// True when sharp edges divide the model by themselves: into at least 4 regions, none of which
-/// holds more than 60 % of the surface.
-bool dividedByCreases(const Mesh& mesh, const CreaseRegions& regions);
+/// True when sharp edges divide the model by themselves, as they do machine parts. Of the parts
+/// that no path leaves without crossing a sharp edge
+/// - there are at least 4, the largest holds at most 60 % of the surface, and at most 40 % when it
+/// is
+///   curved as much as half a sphere: a soft body with hard details has to be divided by its
+///   curvature;
+/// - those of 0.3 % of the surface and more hold at least 95 % of it: a sponge is none;
+/// - and at least half the length of all sharp edges lies between two of them.
+/// Cost: linear.
+bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss);
 
 /// Joins regions along flat and long borders, or splits the largest and most curved in two, rings
 /// first, until there are `charts` (as far as separate parts allow).

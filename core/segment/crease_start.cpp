@@ -28,8 +28,9 @@ class CreaseStart final : public Stepper {
     CreaseRegions regions = chartsFromCreases(*in_.mesh, *in_.gaussArea, faceGauss_,
                                               creaseRegions(*in_.mesh, *in_.gaussArea), charts);
     label_ = std::move(regions.label);
-    findMiddles(regions.count);
-    growFromMiddles();
+    seeds_ = startSeeds_ = middles(label_, regions.count);
+    offsets_.assign(seeds_.size(), 0);
+    planGrowth();
     restartFlood();
   }
 
@@ -84,11 +85,16 @@ class CreaseStart final : public Stepper {
     taken_ = 0;
     phase_ = Phase::Growing;
     refiner_.reset();
-    if (options_.onFlood) options_.onFlood({record_, 0, seeds_, offsets_});
+    seeds_ = startSeeds_;
+    tellSeeds();
   }
 
  private:
   enum class Phase { Growing, Grown, Done };
+
+  void tellSeeds() const {
+    if (options_.onFlood) options_.onFlood({record_, 0, seeds_, offsets_, {}, true});
+  }
 
   ChartAreas areasOf(std::span<const Index> label) const {
     return chartAreas(*in_.mesh, *in_.gaussArea, faceGauss_, label, seeds_.size());
@@ -103,13 +109,13 @@ class CreaseStart final : public Stepper {
     }
   }
 
-  /// The seed of each chart: the face most steps away from the chart's border.
-  void findMiddles(std::size_t charts) {
-    seeds_.assign(charts, kNone);
-    std::vector<Index> queue, depth(label_.size(), kNone);
-    for (Index f = 0; f < label_.size(); ++f) {
+  /// Of each chart the face most steps away from the chart's border.
+  std::vector<Index> middles(std::span<const Index> label, std::size_t charts) const {
+    std::vector<Index> middle(charts, kNone);
+    std::vector<Index> queue, depth(label.size(), kNone);
+    for (Index f = 0; f < label.size(); ++f) {
       bool border = false;
-      forNeighbours(f, [&](Index g) { border = border || g == kNone || label_[g] != label_[f]; });
+      forNeighbours(f, [&](Index g) { border = border || g == kNone || label[g] != label[f]; });
       if (border) depth[f] = 0;
       if (border) queue.push_back(f);
     }
@@ -120,19 +126,19 @@ class CreaseStart final : public Stepper {
         queue.push_back(g);
       });
     }
-    for (Index f = 0; f < label_.size(); ++f) {
-      Index& seed = seeds_[label_[f]];
-      if (seed == kNone || (depth[f] != kNone && depth[f] > depth[seed])) seed = f;
+    for (Index f = 0; f < label.size(); ++f) {
+      Index& best = middle[label[f]];
+      if (best == kNone || (depth[f] != kNone && depth[f] > depth[best])) best = f;
     }
-    offsets_.assign(charts, 0);
+    return middle;
   }
 
   /// The order in which the charts are shown to grow: breadth-first, all at the same time.
-  void growFromMiddles() {
-    order_ = seeds_;
+  void planGrowth() {
+    order_ = startSeeds_;
     order_.reserve(label_.size());
     step_.assign(label_.size(), kNone);
-    for (const Index seed : seeds_) step_[seed] = 0;
+    for (const Index seed : startSeeds_) step_[seed] = 0;
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const Index f = order_[i];
       forNeighbours(f, [&](Index g) {
@@ -170,14 +176,17 @@ class CreaseStart final : public Stepper {
       refine.oneSided = true;
       refine.balanceWeight *= kBalanceShare;
       refine.creaseWeight *= kCreaseShare;
-      refiner_ =
-          std::make_unique<BorderRefiner>(in_, faceGauss_, label_, seeds_.size(), seeds_, refine);
+      refine.cleanUp = 0;  // single faces know no one-sided balance
+      refiner_ = std::make_unique<BorderRefiner>(in_, faceGauss_, label_, seeds_.size(),
+                                                 std::vector<Index>(), refine);
     }
     if (!refiner_->run(progress)) return StepOutcome::Cancelled;
     finalLabel_.assign(refiner_->labels().begin(), refiner_->labels().end());
     seamRecord_ = refiner_->record();
     refiner_.reset();
     phase_ = Phase::Done;
+    seeds_ = middles(finalLabel_, seeds_.size());
+    tellSeeds();
     return StepOutcome::Finished;
   }
 
@@ -185,9 +194,9 @@ class CreaseStart final : public Stepper {
   SegmentOptions options_;
   std::vector<double> faceGauss_;
   std::vector<Index> label_, finalLabel_;
-  std::vector<Index> seeds_;
-  std::vector<double> offsets_;
-  std::vector<Index> order_, step_;  ///< faces as they are shown, and steps from their seed
+  std::vector<Index> seeds_, startSeeds_;  ///< middles of the present charts, of those at first
+  std::vector<double> offsets_;            ///< none waits
+  std::vector<Index> order_, step_;        ///< faces as they are shown, and steps from their seed
   std::size_t taken_ = 0;
   Phase phase_ = Phase::Growing;
   std::shared_ptr<FloodRecord> record_;
@@ -204,7 +213,7 @@ std::unique_ptr<Stepper> makeCreaseStart(const SegmentInputs& inputs,
 }
 
 bool suitsCreaseStart(const SegmentInputs& inputs) {
-  return dividedByCreases(*inputs.mesh, creaseRegions(*inputs.mesh, *inputs.gaussArea));
+  return dividedByCreases(*inputs.mesh, *inputs.gaussArea);
 }
 
 }  // namespace chartflood

@@ -10,7 +10,8 @@ namespace chartflood {
 /// A method whose charts are those of chartsFromCreases(). Its one round shows them growing from
 /// their middles; then borders are refined with one-sided balance, because an even share of Gauss
 /// area means little where planes have none: a hundredth of the weight of balance, and creases
-/// count a third of what they do otherwise. Seeds of the options are not used.
+/// count a third of what they do otherwise. Seeds of the options are not used: those of the result
+/// are the middles of its charts, told of as a flood is once the borders are refined.
 std::unique_ptr<Stepper> makeCreaseStart(const SegmentInputs& inputs,
                                          const SegmentOptions& options);
 

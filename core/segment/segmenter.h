@@ -79,6 +79,7 @@ struct FloodStart {
   std::span<const double> offsets;  ///< one a seed, or none
   std::span<const glm::dvec3> normals =
       {};  ///< of methods that grow by normals, one a seed; or none
+  bool creases = false;  ///< shows charts from creases instead of a flood
 };
 
 /// How variational shape approximation comes to its charts.

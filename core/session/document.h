@@ -39,6 +39,7 @@ struct FloodMoment {
   std::size_t taken = 0;            ///< faces that the flood has taken
   bool finished = false;            ///< a stop rule has fired and the borders were finished
   std::vector<glm::dvec3> normals;  ///< of that flood's charts, one a seed or none
+  bool creases = false;             ///< the charts are from creases: makeCreaseStart()
 
   bool operator==(const FloodMoment&) const = default;
 };

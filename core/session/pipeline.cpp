@@ -157,7 +157,10 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   }
   const bool hadCharts = stepper_ != nullptr || segmentation_ != nullptr;
   // Another method begins from its own seeds: where charts were finished, its own are made.
-  const bool otherMethod = finished() && document.parameters.method != before.parameters.method;
+  const bool otherMethod =
+      finished() &&
+      (document.parameters.method != before.parameters.method ||
+       (document.parameters.start != before.parameters.start && creases_ != wantsCreases()));
   const bool keepFinal = finished() && samePlaces && stage >= Stage::Iterations;
   reviseSeeds(before);
   stepper_.reset();
@@ -165,7 +168,14 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   if (changed && stage <= Stage::Graph) makeGraph(progress);
   if (!hadCharts || !live) return true;
   // Where only later stages changed, the finished charts are finished again in the new way.
-  makeStepper(keepFinal ? 1 : static_cast<std::size_t>(document.parameters.maxIterations));
+  const bool creases = keepFinal ? creases_ : wantsCreases();
+  // Middles of charts from creases are no beginning for a flood.
+  if (creases != creases_) {
+    seeds_ = seedFaces(document.seeds);
+    offsets_.clear();
+    normals_.clear();
+  }
+  makeStepper(keepFinal ? 1 : static_cast<std::size_t>(document.parameters.maxIterations), creases);
   const Clock::time_point start = Clock::now();
   const bool toTheEnd = keepFinal || otherMethod;
   stepper_->advance(toTheEnd ? StepUnit::Converged : StepUnit::Flood, 1, progress);
@@ -175,8 +185,8 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
 
 bool Pipeline::standsAt(const FloodMoment& moment) const {
   return stepper_ && stepper_->record() && seeds_ == moment.seeds && offsets_ == moment.offsets &&
-         normals_ == moment.normals && finished() == moment.finished &&
-         stepper_->record()->size() == moment.taken;
+         normals_ == moment.normals && creases_ == moment.creases &&
+         finished() == moment.finished && stepper_->record()->size() == moment.taken;
 }
 
 void Pipeline::restore(const Document& document, const FloodMoment& moment, Progress& progress) {
@@ -194,7 +204,8 @@ void Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
   seeds_ = moment.seeds;
   offsets_ = moment.offsets;
   normals_ = moment.normals;
-  makeStepper(moment.finished ? 1 : static_cast<std::size_t>(document.parameters.maxIterations));
+  makeStepper(moment.finished ? 1 : static_cast<std::size_t>(document.parameters.maxIterations),
+              moment.creases);
   const Clock::time_point start = Clock::now();
   if (moment.finished) {
     stepper_->advance(StepUnit::Converged, 1, progress);
@@ -212,7 +223,17 @@ void Pipeline::takeLocks(Progress& progress) {
   if (taken > 0) stepper_->advance(StepUnit::Face, taken, progress);
 }
 
+bool Pipeline::wantsCreases() const {
+  const Parameters& p = document_.parameters;
+  return p.method == "t-flooding" && document_.seeds.empty() &&
+         (p.start == "creases" || (p.start == "auto" && suitsCreaseStart({mesh_, gauss_, graph_})));
+}
+
 void Pipeline::makeStepper(std::size_t maxIterations) {
+  makeStepper(maxIterations, wantsCreases());
+}
+
+void Pipeline::makeStepper(std::size_t maxIterations, bool creases) {
   const Parameters& p = document_.parameters;
   SegmentOptions options;
   options.charts = static_cast<std::size_t>(p.charts);
@@ -234,11 +255,7 @@ void Pipeline::makeStepper(std::size_t maxIterations) {
   options.mcgim = {p.mcgimLambda, p.mcgimNormals == "running", p.mcgimDisks};
   options.onFlood = [this](const FloodStart& start) { noteFlood(start); };
   const SegmentInputs inputs{mesh_, gauss_, graph_};
-  // Seeds placed by hand say where charts begin. Creases guide the refinement by cuts, so without
-  // it the automatic choice is the flood.
-  const bool creases = p.method == "t-flooding" && document_.seeds.empty() &&
-                       (p.start == "creases" ||
-                        (p.start == "auto" && p.refine == "cuts" && suitsCreaseStart(inputs)));
+  creases_ = creases;
   stepper_ =
       creases ? makeCreaseStart(inputs, options) : findSegmenter(p.method)->make(inputs, options);
   timing_.segment = 0;
@@ -421,6 +438,7 @@ void Pipeline::tellChartCount() {
 }
 
 void Pipeline::tellOutcome() {
+  if (creases_) return tell(Notice::Kind::Info, "Charts begin from the model's creases.");
   const auto rounds = std::to_string(stepper_->history().size());
   const auto kept =
       "round " + std::to_string(stepper_->bestIteration() + 1) + " of " + rounds + " is kept.";

@@ -83,8 +83,11 @@ class Pipeline {
   /// Forgets of the present seeds what does not hold for the new values.
   void reviseSeeds(const Document& before);
   void dropNewestSeeds(std::size_t wanted);
+  /// Whether charts that are made now begin from creases: not where seeds are placed by hand.
+  bool wantsCreases() const;
   /// Makes a stepper that begins with the present seeds, if there are any.
   void makeStepper(std::size_t maxIterations);
+  void makeStepper(std::size_t maxIterations, bool creases);
   /// Begins again where the stepper stands, so that the next rounds know of changed locks.
   void takeLocks(Progress& progress);
   void noteFlood(const FloodStart& start);
@@ -107,6 +110,7 @@ class Pipeline {
   Flat shownFlat_;             ///< the last complete one
   bool unwrapAsked_ = false;   ///< of the present charts
   bool locksChanged_ = false;  ///< since the stepper was made
+  bool creases_ = false;       ///< the stepper's charts are from creases
   Timing timing_;
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;

@@ -227,6 +227,7 @@ class Session::Engine {
       next->seeds.assign(start.seeds.begin(), start.seeds.end());
       next->offsets.assign(start.offsets.begin(), start.offsets.end());
       next->normals.assign(start.normals.begin(), start.normals.end());
+      next->creases = start.creases;
       next->finished = false;
       ++next->version;
       results_ = std::move(next);
@@ -264,6 +265,7 @@ FloodMoment momentOf(const Results& results) {
   moment.seeds = results.seeds;
   moment.offsets = results.offsets;
   moment.normals = results.normals;
+  moment.creases = results.creases;
   moment.taken = results.record->size();
   moment.finished = results.finished;
   return moment;

@@ -56,6 +56,7 @@ struct Results {
   std::vector<Index> seeds;         ///< of the round of `record`
   std::vector<double> offsets;      ///< of the round of `record`, one a seed or none
   std::vector<glm::dvec3> normals;  ///< of the round of `record`, one a seed or none
+  bool creases = false;             ///< `record` shows charts from creases
   /// Steps of the seam cuts from the flooded labels to the final ones; null when there were none.
   std::shared_ptr<const SeamRecord> seamRecord;
   std::vector<IterationSummary> history;

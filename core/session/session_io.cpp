@@ -269,6 +269,7 @@ FloodMoment readCharts(Reader& parent, std::vector<std::string>& warnings) {
   }
   moment.taken = reader.count("taken");
   moment.finished = reader.flag("finished");
+  moment.creases = reader.flag("creases");
   usable = usable && (moment.offsets.empty() || moment.offsets.size() == moment.seeds.size()) &&
            (moment.normals.empty() || moment.normals.size() == moment.seeds.size());
   if (usable) return moment;
@@ -331,6 +332,7 @@ std::string sessionText(const SessionFile& session, const std::filesystem::path&
        {{"seeds", session.charts.seeds},
         {"offsets", session.charts.offsets},
         {"normals", normalsJson(session.charts.normals)},
+        {"creases", session.charts.creases},
         {"taken", session.charts.taken},
         {"finished", session.charts.finished}}},
       {"view", viewJson(session.view)},

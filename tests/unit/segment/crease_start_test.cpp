@@ -1,6 +1,8 @@
 // Charts from sharp edges: core/segment/crease_regions, region_graph, split_chart, crease_start.
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -35,7 +37,7 @@ TEST(CreaseRegions, OfACubeAreItsSidesAndStayWhateverTheCuts) {
   const SegmentInputs in = inputsOf(test::sampleMesh("cube", 1200));
   const CreaseRegions regions = creaseRegions(*in.mesh, *in.gaussArea);
   EXPECT_EQ(regions.count, 6u);
-  EXPECT_TRUE(dividedByCreases(*in.mesh, regions));
+  EXPECT_TRUE(dividedByCreases(*in.mesh, *in.gaussArea));
   const Segmentation state = finished(in, 6);
   test::expectValid(*in.mesh, *in.gaussArea, state);
   std::vector<Index> seen(6, kNone);  // the chart of each side
@@ -50,6 +52,53 @@ TEST(CreaseRegions, ASmoothModelIsOneAndDoesNotSuit) {
   const SegmentInputs in = inputsOf(test::sampleMesh("sphere", 1000));
   EXPECT_EQ(creaseRegions(*in.mesh, *in.gaussArea).count, 1u);
   EXPECT_FALSE(suitsCreaseStart(in));
+}
+
+struct Suits {
+  const char* file;
+  bool expected;
+};
+class CreasesOf : public testing::TestWithParam<Suits> {};
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, CreasesOf,
+    testing::Values(Suits{"fandisk.obj", true}, Suits{"anchor_dense.off", true},
+                    Suits{"casting.off", true}, Suits{"bracket-3.stl", true},
+                    Suits{"tray-ascii.stl", true}, Suits{"cheese.off", false},
+                    Suits{"fuze.obj", false}, Suits{"bones.off", false},
+                    Suits{"greek-helmet-quads.obj", false}, Suits{"homer.obj", false},
+                    Suits{"rocker-arm.obj", false}, Suits{"suzanne.obj", false}),
+    [](const auto& instance) {
+      std::string name = instance.param.file;
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+      return name;
+    });
+
+TEST_P(CreasesOf, DivideMachineParts) {
+  const auto mesh = test::realMesh(GetParam().file);
+  if (!mesh) GTEST_SKIP() << "no such file here";
+  EXPECT_EQ(dividedByCreases(*mesh, computeGaussArea(*mesh, 45)), GetParam().expected);
+}
+
+TEST(CreaseRegions, OfASoftBodyWithHardDetailsDoNotDivideIt) {
+  EXPECT_FALSE(suitsCreaseStart(inputsOf(test::sampleMesh("rocket", 5000))));
+  EXPECT_TRUE(suitsCreaseStart(inputsOf(test::sampleMesh("gear", 5000))));
+}
+
+TEST(CreaseStart, SeedsAreOfTheChartsAndToldOf) {
+  const SegmentInputs in = inputsOf(test::sampleMesh("gear", 3000));
+  SegmentOptions options;
+  options.charts = 20;
+  std::vector<Index> told;
+  options.onFlood = [&](const FloodStart& start) {
+    EXPECT_TRUE(start.creases);
+    told.assign(start.seeds.begin(), start.seeds.end());
+  };
+  const auto stepper = makeCreaseStart(in, options);
+  Progress progress;
+  EXPECT_EQ(told, stepper->state()->seeds);
+  stepper->advance(StepUnit::Converged, 1, progress);
+  EXPECT_EQ(told, stepper->state()->seeds);
 }
 
 class CreaseStartOn : public testing::TestWithParam<const char*> {};
