@@ -19,6 +19,7 @@ int openWindow(const chartflood::Invocation& call) {
   chartflood::WindowOptions options;
   options.parameters = call.parameters;
   options.seeds = call.seeds;
+  options.hints = call.hints;
   options.session = call.session;
   options.sessionFile = call.sessionFile;
   options.file = call.file;

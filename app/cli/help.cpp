@@ -83,7 +83,6 @@ std::string helpText() {
   std::string text = kUsage;
   std::string group;
   for (const OptionInfo& option : optionTable()) {
-    if (!option.built) continue;
     if (option.group != group) text += "\n" + option.group + "\n";
     group = option.group;
     text += optionText(option);

@@ -44,6 +44,9 @@ void addParameters(std::vector<OptionInfo>& table) {
        "paper: the printed method."});
   table.push_back({"seeds", "F,F,..", "Segmentation",
                    "Faces of the file (the first is 0) at which the charts begin."});
+  table.push_back({"hints", "F.txt", "Segmentation",
+                   "Edges by the numbers of their vertices in the file (the first is 0), one a "
+                   "line: \"cut 12 57\" where a seam is welcome, \"never 12 57\" where none is."});
   table.push_back({"steps", "N", "Segmentation",
                    "Stop the first flood after N faces were taken: the rest stays free."});
   table.push_back({"iterations", "N", "Segmentation",
@@ -132,12 +135,6 @@ void addGeneral(std::vector<OptionInfo>& table) {
   add("version", "", "Say the version, and leave.");
 }
 
-void addUnbuilt(std::vector<OptionInfo>& table) {
-  for (const char* name : {"best-of"}) {
-    table.push_back({name, "VALUE", "", "", false});
-  }
-}
-
 std::vector<OptionInfo> makeTable() {
   std::vector<OptionInfo> table;
   addParameters(table);
@@ -145,7 +142,6 @@ std::vector<OptionInfo> makeTable() {
   addPicture(table);
   addCamera(table);
   addGeneral(table);
-  addUnbuilt(table);
   return table;
 }
 

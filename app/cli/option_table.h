@@ -13,7 +13,6 @@ struct OptionInfo {
   std::string value;  ///< what stands for the value in --help; "" for a switch
   std::string group;  ///< heading in --help
   std::string help;
-  bool built = true;  ///< false: known by name, refused with a sentence, not in --help
 
   bool isSwitch() const { return value.empty(); }
 };

@@ -21,14 +21,6 @@ constexpr std::size_t kLargestCount = 1'000'000'000;
 constexpr int kLargestSide = 16384;  // pixels
 constexpr std::size_t kMostThreads = 256;
 
-void refuseUnbuilt(const Tokens& tokens) {
-  for (const OptionInfo& row : optionTable()) {
-    if (!row.built && tokens.has(row.name)) {
-      throw UsageError("--" + row.name + " is not built yet: leave it out.");
-    }
-  }
-}
-
 /// A session as input is what everything else is changed from.
 void readSessionInput(const Tokens& tokens, Invocation& call) {
   if (tokens.files.size() != 1 || !isSessionFile(tokens.files[0])) return;
@@ -66,11 +58,13 @@ void readParameters(const Tokens& tokens, Invocation& call) {
   for (const ParameterInfo& info : parameterTable()) {
     if (!tokens.has(info.id)) continue;
     if (std::string_view(info.id) == "charts" && tokens.text(info.id) == "auto") {
-      throw UsageError("--charts=auto is not built yet: give the number of charts.");
+      call.findsCharts = true;
+      continue;
     }
     setParameterFromText(call.parameters, info, tokens.text(info.id));
   }
   call.chartsGiven = tokens.has("charts");
+  if (tokens.has("hints")) call.hints = tokens.text("hints");
 }
 
 void readSteps(const Tokens& tokens, Invocation& call) {
@@ -302,6 +296,18 @@ void readInput(const Tokens& tokens, Invocation& call) {
   }
 }
 
+/// --charts=auto beside what needs a number. \throws UsageError
+void refuseUnfit(const Invocation& call) {
+  if (call.task == Invocation::Task::Window) {
+    throw UsageError(
+        "--charts=auto needs an output option: in the window choose Edit, Fewest pieces.");
+  }
+  if (!call.seeds.empty() || call.steps || call.iterations || !call.compare.empty()) {
+    throw UsageError("--charts=auto runs to the end with many numbers of charts: leave --seeds, "
+                     "--steps, --iterations and --compare out.");
+  }
+}
+
 /// The first task that is asked for wins in this order: the shorter answer first.
 Invocation::Task readTask(const Tokens& tokens, const Invocation& call) {
   using Task = Invocation::Task;
@@ -332,7 +338,6 @@ std::vector<std::filesystem::path> outputFiles(const Invocation& call) {
 
 Invocation readOptions(std::span<const std::string> words) {
   const Tokens tokens = readTokens(words, optionTable());
-  refuseUnbuilt(tokens);
   Invocation call;
   readSessionInput(tokens, call);
   readParameters(tokens, call);
@@ -346,6 +351,7 @@ Invocation readOptions(std::span<const std::string> words) {
   readWindow(tokens, call);
   readInput(tokens, call);
   call.task = readTask(tokens, call);
+  if (call.findsCharts) refuseUnfit(call);
   return call;
 }
 

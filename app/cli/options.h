@@ -60,6 +60,8 @@ struct Invocation {
 
   Parameters parameters;
   bool chartsGiven = false;          ///< --charts was written
+  bool findsCharts = false;          ///< --charts=auto
+  std::filesystem::path hints;       ///< painted edges; "": none
   std::vector<Index> seeds;          ///< faces of the input file; empty: placed by the method
   std::optional<std::size_t> steps;  ///< faces of the first flood
   std::optional<std::size_t> iterations;

@@ -10,7 +10,9 @@
 #include <unistd.h>
 
 #include "core/base/log.h"
+#include "core/io/read_hints.h"
 #include "core/io/samples.h"
+#include "core/session/run_set.h"
 
 namespace chartflood {
 
@@ -99,8 +101,9 @@ std::vector<Index> meshFaces(const Mesh& mesh, const std::vector<Index>& inputFa
 bool keepsCharts(const Invocation& call) {
   Stage stage;
   const bool changed = firstDifference(call.parameters, call.session->parameters, stage);
-  return !(changed && stage <= Stage::Refine) && call.seeds.empty() && !call.steps &&
-         !call.iterations;
+  return !(changed && stage <= Stage::Refine) && call.seeds.empty() && call.hints.empty() &&
+         call.parameters.bestOf == call.session->parameters.bestOf && !call.findsCharts &&
+         !call.steps && !call.iterations;
 }
 
 /// Seeds and charts of the session that is the input. True when its charts are there again.
@@ -115,7 +118,7 @@ bool takeSession(Session& session, const Invocation& call) {
   warn(call.session->warnings);
   warn(content.warnings);
   if (!call.seeds.empty()) return false;
-  Document document{call.parameters, content.document.seeds};
+  Document document{call.parameters, content.document.seeds, content.document.hints};
   document = withFittingSeeds(content.document, document);
   const bool again = keepsCharts(call) && !content.moment.seeds.empty();
   if (again) {
@@ -141,6 +144,26 @@ void placeSeeds(Session& session, const Invocation& call) {
                      " faces, but --charts=" + std::to_string(document.parameters.charts) +
                      " asks for fewer charts: leave --charts out or raise it.");
   }
+  session.setDocument(document, false);
+  waitForSession(session, call);
+}
+
+void takeHints(Session& session, const Invocation& call) {
+  if (call.hints.empty()) return;
+  Document document = session.document();
+  document.hints = readHints(call.hints, *session.results()->mesh);
+  session.setDocument(document, false);
+  waitForSession(session, call);
+}
+
+/// Looks for the number of charts and makes it the document's.
+void findChartCount(Session& session, const Invocation& call) {
+  if (!call.findsCharts) return;
+  session.findChartCount();
+  waitForSession(session, call);
+  const RunSet& set = *session.results()->chartRuns;
+  Document document = session.document();
+  document.parameters.charts = static_cast<int>(set.runs[set.chosen].charts);
   session.setDocument(document, false);
   waitForSession(session, call);
 }
@@ -182,6 +205,8 @@ void openInput(Session& session, const Invocation& call) {
 
 void segment(Session& session, const Invocation& call) {
   if (takeSession(session, call)) return;
+  takeHints(session, call);
+  findChartCount(session, call);
   placeSeeds(session, call);
   if (call.steps) {
     session.step(StepUnit::Face, std::min(*call.steps, session.results()->mesh->faceCount()));

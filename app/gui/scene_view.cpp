@@ -81,6 +81,7 @@ void SceneView::takeMesh(const Results& results) {
   chartSet_.reset();
   atlas_.reset();
   unwrap_.reset();
+  hintsShown_.reset();
   ++content_;
 }
 
@@ -107,6 +108,7 @@ void SceneView::takeFilm(const AppState& state) {
   if (shown == filmShown_ && (!shown || state.film.position() == filmStep_)) return;
   filmShown_ = shown;
   filmStep_ = state.film.position();
+  hintsShown_.reset();  // they come back after the film
   std::vector<EdgeLines> lines;
   if (shown) {
     const HandleFilm::Lines& film = state.film.lines();
@@ -115,6 +117,31 @@ void SceneView::takeFilm(const AppState& state) {
     lines.push_back({film.cuts, glm::vec3(0.84f, 0.37f, 0.0f), 3.4f, false});
   }
   renderer_.setLines(lines);
+  ++content_;
+}
+
+/// Painted edges while the tool is in the hand: where seams are welcome whole, where not dashed.
+void SceneView::takeHints(const AppState& state) {
+  if (filmShown_) return;
+  HintsShown wanted;
+  if (state.panels.tool == PanelState::Tool::Hints) {
+    wanted.hints = state.document().hints;
+    if (state.hintStroke) wanted.stroke = state.hintStroke->vertices;
+    wanted.brush = state.panels.brush;
+  }
+  if (hintsShown_ == wanted) return;
+  std::vector<EdgeLines> lines;
+  const glm::vec3 cut(0.25f, 0.88f, 0.95f), never(0.95f, 0.35f, 0.65f), erase(1);
+  lines.push_back({hintSides(*mesh_, wanted.hints, HintKind::Cut), cut, 3.4f, false});
+  lines.push_back({hintSides(*mesh_, wanted.hints, HintKind::Never), never, 3.4f, true});
+  lines.push_back({sidesAlong(*mesh_, wanted.stroke),
+                   wanted.brush == HintBrush::Cut     ? cut
+                   : wanted.brush == HintBrush::Never ? never
+                                                      : erase,
+                   3.4f, wanted.brush == HintBrush::Never});
+  std::erase_if(lines, [](const EdgeLines& each) { return each.sides.empty(); });
+  renderer_.setLines(lines);
+  hintsShown_ = std::move(wanted);
   ++content_;
 }
 
@@ -201,6 +228,7 @@ void SceneView::takeIn(const AppState& state) {
   takeFlood(filmed ? state.film.flood() : results.record);
   takeSeeds(state);
   if (pane_.live()) takeFilm(state);
+  if (pane_.live()) takeHints(state);
   takeUnwrap(results);
   takeDistortion(results);
 }

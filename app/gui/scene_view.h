@@ -94,6 +94,7 @@ class SceneView : public SceneSource {
   void takeFlood(std::shared_ptr<const FloodRecord> record);
   void takeSeeds(const AppState& state);
   void takeFilm(const AppState& state);
+  void takeHints(const AppState& state);
   void takeUnwrap(const Results& results);
   void takeDistortion(const Results& results);
   int samplesFor(bool moving) const;
@@ -119,8 +120,15 @@ class SceneView : public SceneSource {
   std::size_t recorded_ = 0;  ///< entries that the record had at the last look
   bool floodTaken_ = true;    ///< all of them are drawn from
   std::vector<SeedMark> seeds_;
-  bool filmShown_ = false;                         ///< lines of a film are drawn
-  std::size_t filmStep_ = 0;                       ///< of these lines
+  bool filmShown_ = false;    ///< lines of a film are drawn
+  std::size_t filmStep_ = 0;  ///< of these lines
+  struct HintsShown {
+    EdgeHints hints;
+    std::vector<Index> stroke;
+    HintBrush brush = HintBrush::Cut;
+    bool operator==(const HintsShown&) const = default;
+  };
+  std::optional<HintsShown> hintsShown_;  ///< lines of hints that are drawn; nothing: unknown
   std::shared_ptr<const SurfaceDerived> derived_;  ///< uploaded
 
   /// Texture places and cuts, worked out by a thread of its own.

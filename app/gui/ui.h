@@ -30,7 +30,7 @@ struct UiMemory {
   std::vector<ImU32> chartColors;  ///< as on the model, by number; empty: not known
   /// Under the mouse in the last frame; out of range: none. Readouts stand above their plots.
   std::array<std::size_t, 3> binUnderMouse{kNowhere, kNowhere, kNowhere};
-  std::size_t roundUnderMouse = kNowhere;
+  std::size_t roundUnderMouse = kNowhere, runUnderMouse = kNowhere;
   static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
   float leftWidth = 0, rightWidth = 0;  ///< pixels; 0: not laid out yet
   double wakeIn = 1e9;                  ///< seconds until the next frame is needed

@@ -68,8 +68,8 @@ void beginSession(AppState& state, const WindowOptions& options) {
     session.seeds.clear();
     for (const Index face : options.seeds) session.seeds.push_back({face});
   }
-  const Document saved{session.parameters, session.seeds};
-  session.seeds = withFittingSeeds(saved, {options.parameters, session.seeds}).seeds;
+  const Document saved{session.parameters, session.seeds, {}};
+  session.seeds = withFittingSeeds(saved, {options.parameters, session.seeds, {}}).seeds;
   session.parameters = options.parameters;
   ViewSettings view;
   applyViewValues(session.view, view);
@@ -87,6 +87,7 @@ void begin(AppState& state, const WindowOptions& options) {
   state.view.camera.orthographic = options.orthographic;
   if (options.session) return beginSession(state, options);
   state.firstSeeds = options.seeds;
+  state.firstHints = options.hints;
   Document document;
   document.parameters = options.parameters;
   state.session().setDocument(document);

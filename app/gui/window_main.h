@@ -16,8 +16,9 @@ namespace chartflood {
 
 struct WindowOptions {
   Parameters parameters;
-  std::vector<Index> seeds;    ///< faces of the input file; empty: placed by the method
-  std::filesystem::path file;  ///< "": the sample
+  std::vector<Index> seeds;     ///< faces of the input file; empty: placed by the method
+  std::filesystem::path hints;  ///< painted edges; "": none
+  std::filesystem::path file;   ///< "": the sample
   std::string sample = "rocket";
   std::size_t triangles = 0;           ///< of the sample; 0: its own number
   std::optional<SessionFile> session;  ///< to go on with; `parameters` and `render` win over it

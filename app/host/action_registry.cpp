@@ -80,6 +80,8 @@ ActionRegistry makeActionRegistry() {
   addSessionActions(registry);
   addEditActions(registry);
   addSegmentActions(registry);
+  addCountActions(registry);
+  addHintActions(registry);
   addSeedActions(registry);
   addViewActions(registry);
   addLookActions(registry);

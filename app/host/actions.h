@@ -15,6 +15,10 @@ void addSeedActions(ActionRegistry& registry);
 void addEditActions(ActionRegistry& registry);
 /// Flooding and its playback.
 void addSegmentActions(ActionRegistry& registry);
+/// The number of charts, found.
+void addCountActions(ActionRegistry& registry);
+/// The brush on edges.
+void addHintActions(ActionRegistry& registry);
 /// Colours, overlays, camera, panels.
 void addViewActions(ActionRegistry& registry);
 /// Theme, simulated colour vision, preferences, and the search for actions.

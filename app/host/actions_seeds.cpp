@@ -40,26 +40,33 @@ std::size_t seedOf(const AppState& state, const Arguments& a) {
 const ArgumentInfo kSeed = {"seed", ArgumentType::Integer, "its chart; left out: under the mouse",
                             false};
 
+PanelState::Tool toolOf(const Arguments& a) {
+  const std::string name = a.text("name");
+  return name == "seeds"   ? PanelState::Tool::Seeds
+         : name == "hints" ? PanelState::Tool::Hints
+                           : PanelState::Tool::Select;
+}
+
 void addTools(ActionRegistry& registry) {
   registry.add(
       {.id = "tool",
        .title = "Tool",
-       .help = "Chooses what the mouse does on the model: select charts, or work on seeds.",
-       .arguments = {{"name", ArgumentType::Choice, "which one", true, {"select", "seeds"}}},
+       .help = "Chooses what the mouse does on the model: select charts, work on seeds, or paint "
+               "edges where seams are welcome or not.",
+       .arguments =
+           {{"name", ArgumentType::Choice, "which one", true, {"select", "seeds", "hints"}}},
        .refusal = {},
        .run =
            [](AppState& state, const Arguments& a) {
-             state.panels.tool =
-                 a.text("name") == "seeds" ? PanelState::Tool::Seeds : PanelState::Tool::Select;
+             state.panels.tool = toolOf(a);
              state.hoveredSeed = kNone;
              if (state.panels.tool == PanelState::Tool::Seeds) state.view.render.seedMarks = true;
            },
-       .checked =
-           [](const AppState& state, const Arguments& a) {
-             return (state.panels.tool == PanelState::Tool::Seeds) == (a.text("name") == "seeds");
-           }});
+       .checked = [](const AppState& state,
+                     const Arguments& a) { return state.panels.tool == toolOf(a); }});
   registry.bind("V", "tool select");
   registry.bind("G", "tool seeds");
+  registry.bind("Shift+G", "tool hints");
 }
 
 void addEdits(ActionRegistry& registry) {

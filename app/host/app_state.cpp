@@ -10,6 +10,7 @@
 #include "app/host/session_view.h"
 #include "core/base/error.h"
 #include "core/io/file_output.h"
+#include "core/io/read_hints.h"
 
 namespace chartflood {
 
@@ -38,6 +39,7 @@ void AppState::update(double seconds) {
     meshVersion_ = results_->meshVersion;
     takeNewMesh();
   }
+  runs.update(*this);
   film.update(results_->segmentation, std::min(seconds, kLongestPlayedSeconds));
   const bool stopped = results_->stopReason != StopReason::NotStopped;
   request(playback.update({hasMesh(), results_->record, changing(), stopped},
@@ -48,6 +50,7 @@ void AppState::update(double seconds) {
 void AppState::takeNewMesh() {
   hoveredFace = pointedChart = selectedChart = hoveredSeed = panels.shownFace = kNone;
   seedDrag.reset();
+  hintStroke.reset();
   undo_.clear();  // its seeds are faces of another mesh
   methodRuns.stop();
   view.uvCamera = {};
@@ -64,6 +67,7 @@ void AppState::takeNewMesh() {
   unknownView_.clear();
   if (opening.session) return takeSession(opening);
   placeSeeds();
+  takeHints();
   keeper.begin(session_.document(), {});
   if (asked) playback.playOneFlood();
 }
@@ -329,6 +333,17 @@ void AppState::placeSeeds() {
     notices.add(Notice::Kind::Warning, "Some seeds are no faces of this model and were left out.");
   }
   session_.setDocument(document);
+}
+
+void AppState::takeHints() {
+  if (firstHints.empty()) return;
+  try {
+    Document document = session_.document();
+    document.hints = readHints(std::exchange(firstHints, {}), *results_->mesh);
+    session_.setDocument(document);
+  } catch (const Error& error) {
+    notices.add(Notice::Kind::Error, error.what());
+  }
 }
 
 void AppState::takeNotices() {

@@ -14,11 +14,13 @@
 
 #include "app/host/compare.h"
 #include "app/host/handle_film.h"
+#include "app/host/hint_edits.h"
 #include "app/host/insight.h"
 #include "app/host/method_runs.h"
 #include "app/host/notices.h"
 #include "app/host/playback.h"
 #include "app/host/preferences.h"
+#include "app/host/run_watch.h"
 #include "app/host/undo_history.h"
 #include "app/host/view_settings.h"
 #include "app/host/work_keeper.h"
@@ -61,8 +63,9 @@ struct PanelState {
   bool search = false;         ///< the search for actions is open
   std::string shownParameter;  ///< its row is to be brought into view and given the keyboard
   bool firstCard = false;
-  enum class Tool { Select, Seeds };
-  Tool tool = Tool::Select;      ///< what the mouse does on the model
+  enum class Tool { Select, Seeds, Hints };
+  Tool tool = Tool::Select;  ///< what the mouse does on the model
+  HintBrush brush = HintBrush::Cut;
   bool unsavedQuestion = false;  ///< the question before unsaved changes are lost is asked
 };
 
@@ -182,6 +185,7 @@ class AppState {
   HandleFilm film;
   Compare compare;
   MethodRuns methodRuns;
+  RunWatch runs;
   Preferences preferences;
   PanelState panels;
   Notices notices;
@@ -192,11 +196,13 @@ class AppState {
   std::function<void()> keepPreferences = [] {};
   /// Seeds for the next model that is opened, as faces of its file.
   std::vector<Index> firstSeeds;
-  Index hoveredFace = kNone;   ///< under the mouse on the model or in the texture
+  std::filesystem::path firstHints;  ///< the same for painted edges; "": none
+  Index hoveredFace = kNone;         ///< under the mouse on the model or in the texture
   Index pointedChart = kNone;  ///< under the mouse in a plot or list; hoveredChart() says both
   Index selectedChart = kNone;
   Index hoveredSeed = kNone;  ///< under the mouse in the seeds tool
   std::optional<SeedDrag> seedDrag;
+  std::optional<HintStroke> hintStroke;  ///< follows the mouse
   /// Longest flood that is repeated while a slider is dragged, milliseconds.
   static constexpr double kLiveMilliseconds = 150;
 
@@ -216,6 +222,7 @@ class AppState {
   void keepWork(double seconds);
   std::string sessionTextFor(const std::filesystem::path& file) const;
   void placeSeeds();
+  void takeHints();
   void takeNotices();
 
   void frameTriangles(const std::vector<Index>& triangles);

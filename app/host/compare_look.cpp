@@ -91,8 +91,7 @@ PaneCaption paneCaption(const AppState& state, ComparePane pane) {
   caption.heading = figures.method + "   K " + std::to_string(figures.charts);
   if (figures.spread) caption.figures = format("spread %.1f %%", 100 * *figures.spread);
   if (figures.stretch) {
-    caption.figures +=
-        format("  stretch %.3f \u00b1%.3f", *figures.stretch, *figures.stretchStd);
+    caption.figures += format("  stretch %.3f \u00b1%.3f", *figures.stretch, *figures.stretchStd);
   }
   if (figures.seams) caption.figures += format("  seams %.2f \u221aarea", *figures.seams);
   for (const ComparePane& other : compare.panes()) {

@@ -11,6 +11,8 @@ namespace chartflood {
 class Progress {
  public:
   Progress() = default;
+  /// Of a part of `whole`: is cancelled with it and tells nobody of its phases.
+  explicit Progress(const Progress* whole) : whole_(whole) {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
@@ -28,7 +30,9 @@ class Progress {
   }
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 
-  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  bool cancelled() const {
+    return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->cancelled());
+  }
   float fraction() const { return fraction_.load(std::memory_order_relaxed); }
   /// Name of the present phase, "" before the first.
   const char* phase() const { return phase_.load(std::memory_order_acquire); }
@@ -37,6 +41,7 @@ class Progress {
   std::atomic<float> fraction_{0.0f};
   std::atomic<const char*> phase_{""};
   std::atomic<bool> cancelled_{false};
+  const Progress* whole_ = nullptr;
 };
 
 }  // namespace chartflood

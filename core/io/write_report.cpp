@@ -130,6 +130,20 @@ Json comparisonJson(const ComparisonRow& row) {
           {"segment_ms", number(row.segmentMilliseconds)}};
 }
 
+Json runsJson(const std::vector<RunReport>& runs) {
+  Json json = Json::array();
+  for (const RunReport& run : runs) {
+    json.push_back({{"rng_seed", run.rngSeed},
+                    {"charts", run.charts},
+                    {"std_over_mean", number(run.stdOverMean)},
+                    {"seam_length_over_sqrt_area", number(run.seamLengthOverSqrtArea)},
+                    {"l2_area_weighted", number(run.l2AreaWeighted)},
+                    {"l2_max", number(run.l2Max)},
+                    {"chosen", run.chosen}});
+  }
+  return json;
+}
+
 Json resultJson(const ResultReport& result) {
   using S = StretchReport;
   Json charts = Json::array();
@@ -151,8 +165,11 @@ Json resultJson(const ResultReport& result) {
           {"seam_length", number(result.seamLength)},
           {"seam_length_over_sqrt_area", number(result.seamLengthOverSqrtArea)},
           {"cut_length", number(result.cutLength)},
+          {"crease_share", number(result.creaseShare)},
           {"packing_efficiency", number(result.packingEfficiency)},
           {"history", historyJson(result.history)},
+          {"seed_runs", runsJson(result.seedRuns)},
+          {"chart_runs", runsJson(result.chartRuns)},
           {"per_chart", std::move(charts)},
           {"timing_ms", timingJson(result.timing)}};
 }

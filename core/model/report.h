@@ -40,6 +40,15 @@ struct IterationReport {
   std::size_t movedSeeds = 0;
 };
 
+/// One of several runs that were tried.
+struct RunReport {
+  int rngSeed = 0;
+  std::size_t charts = 0;
+  std::optional<double> stdOverMean;
+  double seamLengthOverSqrtArea = 0, l2AreaWeighted = 0, l2Max = 0;
+  bool chosen = false;
+};
+
 struct ChartReport {
   std::size_t chart = 0;
   std::optional<Index> seedFace;  ///< number of the face in the input file
@@ -83,9 +92,12 @@ struct ResultReport {
   std::optional<double> seamLength;
   std::optional<double> seamLengthOverSqrtArea;
   std::optional<double> cutLength;          ///< the part of cuts; absent before cutting
+  std::optional<double> creaseShare;        ///< of the length of sharp edges, on borders of charts
   std::optional<StretchReport> stretch;     ///< absent when no chart is laid flat
   std::optional<double> packingEfficiency;  ///< share of the texture that charts cover
   std::vector<IterationReport> history;
+  std::vector<RunReport> seedRuns;   ///< generator seeds that were tried
+  std::vector<RunReport> chartRuns;  ///< numbers of charts that were tried
   std::vector<ChartReport> perChart;
   TimingReport timing;
 };

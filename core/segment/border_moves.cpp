@@ -103,6 +103,9 @@ BorderMoves::BorderMoves(const Mesh& mesh, const GaussArea& gauss,
       sweepsLeft_(options.maxSweeps), active_((mesh.faceCount() + 63) / 64, ~std::uint64_t{0}) {
   auto tables = std::make_unique<Tables>();
   tables->sideLength = weightedLengths(mesh, gauss, options.creaseFactor);
+  for (Index s = 0; s < options.sideFactor.size(); ++s) {
+    tables->sideLength[s] *= static_cast<float>(options.sideFactor[s]);
+  }
   const std::vector<double> area = faceAreas(mesh);
   tables->faceValue.resize(mesh.faceCount());
   for (std::size_t f = 0; f < area.size(); ++f) {

@@ -28,6 +28,7 @@ class BorderMoves {
     double weight = 1000;       ///< mu: how much balance counts against short seams
     double creaseFactor = 0.3;  ///< length of a crease against a smooth edge's
     double eta = 0;             ///< steradians a squared normalised unit of surface counts as
+    std::span<const double> sideFactor = {};  ///< of hints, on the length of each side; empty: 1
     std::size_t maxSweeps = 50;
   };
 

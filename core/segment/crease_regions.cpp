@@ -18,7 +18,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kSmallest = 0.003;  // share of the surface that a region needs
+constexpr double kSmallest = 0.002;  // share of the surface that a region needs
 // Of a model that creases divide:
 constexpr std::size_t kFewest = 4;      // parts
 constexpr double kLargest = 0.6;        // share of the largest part
@@ -132,7 +132,7 @@ bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss) {
   for (Index f = 0; f < faceGauss.size(); ++f) curved[parts.label[f]] += faceGauss[f];
   double large = 0;
   for (Index r = 0; r < parts.count; ++r) {
-    const bool soft = curved[r] > 2 * std::numbers::pi;
+    const bool soft = curved[r] > std::numbers::pi;
     if (area[r] > (soft ? kLargestCurved : kLargest) * surface) return false;
     if (area[r] >= kSmallest * surface) large += area[r];
   }
@@ -149,7 +149,7 @@ bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss) {
 
 CreaseRegions chartsFromCreases(const Mesh& mesh, const GaussArea& gauss,
                                 std::span<const double> faceGauss, CreaseRegions regions,
-                                std::size_t charts) {
+                                std::size_t charts, Rng& rng) {
   if (regions.count > charts) {
     RegionGraph graph(mesh, regions.label, regions.count);
     while (graph.count() > charts && graph.joinBest()) {
@@ -159,7 +159,7 @@ CreaseRegions chartsFromCreases(const Mesh& mesh, const GaussArea& gauss,
     return numbered(label, regions.count);
   }
   ChartSplitter splitter(mesh, gauss, faceGauss, std::move(regions.label), regions.count);
-  while (splitter.count() < charts && splitter.splitNext()) {
+  while (splitter.count() < charts && splitter.splitNext(rng)) {
   }
   return numbered(splitter.labels(), splitter.count());
 }

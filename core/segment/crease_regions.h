@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/index.h"
+#include "core/base/rng.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 
@@ -18,7 +19,7 @@ struct CreaseRegions {
   std::size_t count = 0;
 };
 
-/// Parts of the surface that no path leaves without crossing a sharp edge. Those below 0.3 % of the
+/// Parts of the surface that no path leaves without crossing a sharp edge. Those below 0.2 % of the
 /// surface join the neighbour with the longest common border. Their number is the natural number of
 /// charts. Cost: about linear.
 CreaseRegions creaseRegions(const Mesh& mesh, const GaussArea& gauss);
@@ -27,9 +28,9 @@ CreaseRegions creaseRegions(const Mesh& mesh, const GaussArea& gauss);
 /// that no path leaves without crossing a sharp edge
 /// - there are at least 4, the largest holds at most 60 % of the surface, and at most 40 % when it
 /// is
-///   curved as much as half a sphere: a soft body with hard details has to be divided by its
-///   curvature;
-/// - those of 0.3 % of the surface and more hold at least 95 % of it: a sponge is none;
+///   curved as much as a quarter of a sphere: a soft body with hard details has to be divided by
+///   its curvature;
+/// - those of 0.2 % of the surface and more hold at least 95 % of it: a sponge is none;
 /// - and at least half the length of all sharp edges lies between two of them.
 /// Cost: linear.
 bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss);
@@ -37,8 +38,9 @@ bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss);
 /// Joins regions along flat and long borders, or splits the largest and most curved in two, rings
 /// first, until there are `charts` (as far as separate parts allow).
 /// \param faceGauss faceGaussArea() of the mesh
+/// \param rng where splits begin to look for faces far from each other
 CreaseRegions chartsFromCreases(const Mesh& mesh, const GaussArea& gauss,
                                 std::span<const double> faceGauss, CreaseRegions regions,
-                                std::size_t charts);
+                                std::size_t charts, Rng& rng);
 
 }  // namespace chartflood

@@ -25,8 +25,10 @@ class CreaseStart final : public Stepper {
   CreaseStart(const SegmentInputs& inputs, const SegmentOptions& options)
       : in_(inputs), options_(options), faceGauss_(faceGaussArea(*in_.mesh, *in_.gaussArea)) {
     const std::size_t charts = effectiveChartCount(*in_.mesh, options.charts);
-    CreaseRegions regions = chartsFromCreases(*in_.mesh, *in_.gaussArea, faceGauss_,
-                                              creaseRegions(*in_.mesh, *in_.gaussArea), charts);
+    Rng rng(options.rngSeed);
+    CreaseRegions regions =
+        chartsFromCreases(*in_.mesh, *in_.gaussArea, faceGauss_,
+                          creaseRegions(*in_.mesh, *in_.gaussArea), charts, rng);
     label_ = std::move(regions.label);
     seeds_ = startSeeds_ = middles(label_, regions.count);
     offsets_.assign(seeds_.size(), 0);
@@ -93,7 +95,7 @@ class CreaseStart final : public Stepper {
   enum class Phase { Growing, Grown, Done };
 
   void tellSeeds() const {
-    if (options_.onFlood) options_.onFlood({record_, 0, seeds_, offsets_, {}, true});
+    if (options_.onFlood) options_.onFlood({record_, 0, seeds_, offsets_, {}, options_.rngSeed});
   }
 
   ChartAreas areasOf(std::span<const Index> label) const {

@@ -63,7 +63,8 @@ class SeamCuts::Engine {
          std::vector<Index> label, std::size_t charts, std::span<const Index> fixed,
          const Options& options)
       : mesh_(mesh), options_(options), charts_(charts), fixed_(fixed.begin(), fixed.end()),
-        tables_(makeSeamTables(mesh, gauss, faceGauss, options.creaseWeight, options.eta)),
+        tables_(makeSeamTables(mesh, gauss, faceGauss, options.creaseWeight, options.eta,
+                               options.sideFactor)),
         label_(std::move(label)),
         stages_(stagesFor(mesh.faceCount(), charts, options.clusters, options.anneal)),
         cuts_(kTogether) {

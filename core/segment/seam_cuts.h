@@ -31,9 +31,10 @@ class SeamCuts {
     double creaseWeight = 0.3;  ///< length of a sharp edge against a smooth one's
     double band = 0.15;         ///< width of the band around seams, in mean chart sizes
     double eta = 0;             ///< steradians a squared normalised unit of surface counts as
-    bool oneSided = false;      ///< only charts above their share of the whole cost
-    bool clusters = true;       ///< begin on clusters of faces; false: on single faces throughout
-    bool anneal = true;         ///< false: the last two stages only, at full weight
+    std::span<const double> sideFactor = {};  ///< of hints, on the length of each side; empty: 1
+    bool oneSided = false;                    ///< only charts above their share of the whole cost
+    bool clusters = true;  ///< begin on clusters of faces; false: on single faces throughout
+    bool anneal = true;    ///< false: the last two stages only, at full weight
   };
 
   /// \param fixed faces that keep their chart, for example seeds

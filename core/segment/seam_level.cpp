@@ -10,7 +10,8 @@
 namespace chartflood {
 
 SeamTables makeSeamTables(const Mesh& mesh, const GaussArea& gauss,
-                          std::span<const double> faceGauss, double creaseWeight, double eta) {
+                          std::span<const double> faceGauss, double creaseWeight, double eta,
+                          std::span<const double> sideFactor) {
   SeamTables tables;
   const auto positions = mesh.positions();
   tables.sideLength.resize(3 * mesh.triangleCount());
@@ -21,6 +22,7 @@ SeamTables makeSeamTables(const Mesh& mesh, const GaussArea& gauss,
     tables.sideLength[s] *= creaseWeight;
     tables.sideLength[mesh.opposite()[s]] *= creaseWeight;
   }
+  for (Index s = 0; s < sideFactor.size(); ++s) tables.sideLength[s] *= sideFactor[s];
   if (!gauss.sharpEdges.empty()) tables.sideGauss.assign(tables.sideLength.size(), 0);
   for (std::size_t i = 0; i < gauss.sharpEdges.size(); ++i) {
     const Index side = gauss.sharpEdges[i];

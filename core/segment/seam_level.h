@@ -26,8 +26,10 @@ struct SeamTables {
 
 /// \param creaseWeight factor on the length of sharp edges
 /// \param eta steradians that a squared normalised unit of surface counts as
+/// \param sideFactor one more factor on the length of each side; empty: 1
 SeamTables makeSeamTables(const Mesh& mesh, const GaussArea& gauss,
-                          std::span<const double> faceGauss, double creaseWeight, double eta);
+                          std::span<const double> faceGauss, double creaseWeight, double eta,
+                          std::span<const double> sideFactor = {});
 
 /// Clusters of faces as nodes. Chart sums are sums over nodes, over arcs with both ends in the
 /// chart and over corners with all nodes in it.

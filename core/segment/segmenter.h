@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -79,7 +80,8 @@ struct FloodStart {
   std::span<const double> offsets;  ///< one a seed, or none
   std::span<const glm::dvec3> normals =
       {};  ///< of methods that grow by normals, one a seed; or none
-  bool creases = false;  ///< shows charts from creases instead of a flood
+  /// Shows charts from creases, made with this generator seed, instead of a flood.
+  std::optional<std::uint32_t> creases = {};
 };
 
 /// How variational shape approximation comes to its charts.
@@ -115,6 +117,8 @@ struct RefineOptions {
   double creaseWeight = 0.3;    ///< length of a sharp edge against a smooth one's, of the cuts
   double cleanUp = 1000;        ///< weight of balance of the moves
   bool oneSided = false;        ///< cuts: only charts above their share of the whole cost
+  /// Factor on the length of each side of the mesh, from hints; null: 1.
+  std::shared_ptr<const std::vector<double>> sideFactor;
 };
 
 /// What the methods can be told; each uses what it knows.

@@ -86,7 +86,7 @@ Index ChartSplitter::farthest(const Chart& chart) const {
   });
 }
 
-bool ChartSplitter::splitNext() {
+bool ChartSplitter::splitNext(Rng& rng) {
   Index best = kNone;
   double most = -1;
   for (Index c = 0; c < charts_.size(); ++c) {
@@ -96,7 +96,7 @@ bool ChartSplitter::splitNext() {
   }
   if (best == kNone) return false;
   Chart& chart = charts_[best];
-  search(chart, std::array{chart.faces.front()});
+  search(chart, std::array{chart.faces[rng.below(static_cast<std::uint32_t>(chart.faces.size()))]});
   const Index one = farthest(chart);
   search(chart, std::array{one});
   Index two = farthest(chart);

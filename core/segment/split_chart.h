@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/index.h"
+#include "core/base/rng.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 
@@ -24,7 +25,8 @@ class ChartSplitter {
   /// Splits the chart with the greatest (half its share of Gauss area + half its share of area)
   /// * (1 + min(2, 1 - Euler number)), so that rings go first, between two faces far from each
   /// other. False when no chart has two faces.
-  bool splitNext();
+  /// \param rng chooses the face from which the first of the two is the farthest
+  bool splitNext(Rng& rng);
 
  private:
   struct Chart {

@@ -3,12 +3,15 @@
 /// session files hold.
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "core/base/index.h"
+#include "core/model/edge_hints.h"
 #include "core/model/mesh.h"
 #include "core/session/parameters.h"
 
@@ -27,6 +30,7 @@ struct PlacedSeed {
 struct Document {
   Parameters parameters;
   std::vector<PlacedSeed> seeds;  ///< in the order of the charts; empty: placed by the method
+  EdgeHints hints;                ///< edges painted by hand
 
   bool operator==(const Document&) const = default;
 };
@@ -39,7 +43,8 @@ struct FloodMoment {
   std::size_t taken = 0;            ///< faces that the flood has taken
   bool finished = false;            ///< a stop rule has fired and the borders were finished
   std::vector<glm::dvec3> normals;  ///< of that flood's charts, one a seed or none
-  bool creases = false;             ///< the charts are from creases: makeCreaseStart()
+  /// The charts are from creases, made with this generator seed; see makeCreaseStart().
+  std::optional<std::uint32_t> creases = {};
 
   bool operator==(const FloodMoment&) const = default;
 };

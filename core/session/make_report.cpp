@@ -1,5 +1,8 @@
 #include "core/session/make_report.h"
 
+#include "core/charts/crease_share.h"
+#include "core/session/run_set.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -101,6 +104,17 @@ std::vector<IterationReport> historyReport(const Results& results) {
   return rounds;
 }
 
+std::vector<RunReport> runReports(const std::shared_ptr<const RunSet>& set) {
+  std::vector<RunReport> reports;
+  if (!set) return reports;
+  for (std::size_t i = 0; i < set->runs.size(); ++i) {
+    const Run& run = set->runs[i];
+    reports.push_back({run.parameters.rngSeed, run.charts, run.spread, run.seams, run.stretch,
+                       run.worst, i == set->chosen});
+  }
+  return reports;
+}
+
 void addCharts(ResultReport& report, const Results& results) {
   const ChartStats& stats = *results.chartStats;
   const double scale = results.mesh->scale();
@@ -115,6 +129,10 @@ void addCharts(ResultReport& report, const Results& results) {
   report.seamLength = stats.seamLength + cutLength;
   if (stats.surfaceArea > 0) {
     report.seamLengthOverSqrtArea = *report.seamLength / std::sqrt(stats.surfaceArea);
+  }
+  if (results.gaussArea && !results.gaussArea->sharpEdges.empty()) {
+    report.creaseShare =
+        creaseShare(*results.mesh, *results.gaussArea, results.segmentation->label);
   }
   if (!results.flat) return;
   report.cutLength = cutLength;
@@ -131,6 +149,8 @@ ResultReport resultReport(const Results& results) {
   report.stopReason = stopReasonId(results.stopReason);
   report.gaussArea = gaussReport(results);
   report.history = historyReport(results);
+  report.seedRuns = runReports(results.seedRuns);
+  report.chartRuns = runReports(results.chartRuns);
   if (results.chartStats) addCharts(report, results);
   const Timing& t = results.timing;
   report.timing = {timeTaken(t.read),    timeTaken(t.gaussArea), timeTaken(t.floodGraph),

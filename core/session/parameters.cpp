@@ -169,6 +169,7 @@ std::string parameterText(const ParameterValue& value) {
 bool firstDifference(const Parameters& a, const Parameters& b, Stage& stage) {
   bool differs = false;
   for (const ParameterInfo& info : parameterTable()) {
+    if (info.stage == Stage::Request) continue;
     if (parameterValue(a, info) == parameterValue(b, info)) continue;
     if (!differs || info.stage < stage) stage = info.stage;
     differs = true;

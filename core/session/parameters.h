@@ -22,6 +22,8 @@ struct Parameters {
   bool lookahead = true;              ///< lookahead
   double areaShare = 1e-3;            ///< area-share: eta
   int rngSeed = 1;                    ///< rng-seed
+  int bestOf = 1;                     ///< best-of: generator seeds that are tried
+  double maxStretch = 1.1;            ///< max-stretch: L2 that charts=auto allows
   int maxIterations = 60;             ///< max-iterations
   int patience = 10;                  ///< patience: n of section 3.4
   bool detectCycles = true;           ///< detect-cycles
@@ -61,7 +63,18 @@ enum class SliderScale {
 };
 
 /// The first stage that a change makes stale; all later ones follow.
-enum class Stage { Gauss, Graph, Seeds, Flood, Iterations, Refine, Cut, Unwrap, Layout };
+enum class Stage {
+  Gauss,
+  Graph,
+  Seeds,
+  Flood,
+  Iterations,
+  Refine,
+  Cut,
+  Unwrap,
+  Layout,
+  Request,  ///< none: read when something is asked for
+};
 
 /// One value of a choice parameter.
 struct ParameterChoice {
@@ -115,7 +128,7 @@ std::string whyUnused(const Parameters& values, const ParameterInfo& info);
 /// Text that setParameterFromText reads back to the same value.
 std::string parameterText(const ParameterValue& value);
 
-/// The first stage in which two sets of values differ; false when they are equal.
+/// The first stage in which two sets of values differ; false when none does.
 bool firstDifference(const Parameters& a, const Parameters& b, Stage& stage);
 
 /// Named values for a purpose.

@@ -11,6 +11,7 @@
 #include "core/pack/layout_atlas.h"
 #include "core/param/unwrap_charts.h"
 #include "core/segment/crease_start.h"
+#include "core/segment/hint_factors.h"
 #include "core/segment/registry.h"
 #include "core/segment/seeds.h"
 
@@ -50,6 +51,13 @@ RefineOptions refineOptions(const Parameters& p) {
   return options;
 }
 
+template <class Work>
+void timed(double& milliseconds, Work&& work) {
+  const Clock::time_point start = Clock::now();
+  work();
+  milliseconds = millisecondsSince(start);
+}
+
 }  // namespace
 
 void Pipeline::tell(Notice::Kind kind, std::string text) const {
@@ -70,6 +78,8 @@ void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds
   offsets_.clear();
   normals_.clear();
   document_.seeds.clear();
+  document_.hints.clear();
+  chartRuns_.reset();
   toldCharts_ = 0;
   tell(Notice::Kind::Info, "Loaded " + std::to_string(mesh_->triangleCount()) + " triangles in " +
                                std::to_string(mesh_->componentCount()) +
@@ -144,7 +154,11 @@ void Pipeline::reviseSeeds(const Document& before) {
 bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   const Document before = std::exchange(document_, document);
   Stage stage = Stage::Layout;
-  const bool changed = firstDifference(before.parameters, document.parameters, stage);
+  bool changed = firstDifference(before.parameters, document.parameters, stage);
+  if (before.hints != document.hints) {
+    stage = std::min(stage, Stage::Refine);
+    changed = true;
+  }
   // The end of a drag that did not flood gives the same values once more and wants its charts.
   const bool overdue = live && stale();
   if (!mesh_ || (!changed && before.seeds == document.seeds && !overdue)) return false;
@@ -157,10 +171,9 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   }
   const bool hadCharts = stepper_ != nullptr || segmentation_ != nullptr;
   // Another method begins from its own seeds: where charts were finished, its own are made.
-  const bool otherMethod =
-      finished() &&
-      (document.parameters.method != before.parameters.method ||
-       (document.parameters.start != before.parameters.start && creases_ != wantsCreases()));
+  const bool otherMethod = finished() && (document.parameters.method != before.parameters.method ||
+                                          (document.parameters.start != before.parameters.start &&
+                                           creases_.has_value() != wantsCreases().has_value()));
   const bool keepFinal = finished() && samePlaces && stage >= Stage::Iterations;
   reviseSeeds(before);
   stepper_.reset();
@@ -168,7 +181,7 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   if (changed && stage <= Stage::Graph) makeGraph(progress);
   if (!hadCharts || !live) return true;
   // Where only later stages changed, the finished charts are finished again in the new way.
-  const bool creases = keepFinal ? creases_ : wantsCreases();
+  const std::optional<std::uint32_t> creases = keepFinal ? creases_ : wantsCreases();
   // Middles of charts from creases are no beginning for a flood.
   if (creases != creases_) {
     seeds_ = seedFaces(document.seeds);
@@ -194,6 +207,7 @@ void Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
   if (!mesh_) return;
   Stage stage = Stage::Layout;
   const bool changed = firstDifference(before.parameters, document.parameters, stage);
+  if (before.hints != document.hints) stage = std::min(stage, Stage::Refine);
   if (stage >= Stage::Cut && standsAt(moment)) {  // what comes after the labels, or locks
     locksChanged_ = locksChanged_ || before.seeds != document.seeds;
     return;
@@ -223,17 +237,19 @@ void Pipeline::takeLocks(Progress& progress) {
   if (taken > 0) stepper_->advance(StepUnit::Face, taken, progress);
 }
 
-bool Pipeline::wantsCreases() const {
+std::optional<std::uint32_t> Pipeline::wantsCreases() const {
   const Parameters& p = document_.parameters;
-  return p.method == "t-flooding" && document_.seeds.empty() &&
-         (p.start == "creases" || (p.start == "auto" && suitsCreaseStart({mesh_, gauss_, graph_})));
+  const bool wanted =
+      p.method == "t-flooding" && document_.seeds.empty() &&
+      (p.start == "creases" || (p.start == "auto" && suitsCreaseStart({mesh_, gauss_, graph_})));
+  return wanted ? std::optional(static_cast<std::uint32_t>(p.rngSeed)) : std::nullopt;
 }
 
 void Pipeline::makeStepper(std::size_t maxIterations) {
   makeStepper(maxIterations, wantsCreases());
 }
 
-void Pipeline::makeStepper(std::size_t maxIterations, bool creases) {
+void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_t> creases) {
   const Parameters& p = document_.parameters;
   SegmentOptions options;
   options.charts = static_cast<std::size_t>(p.charts);
@@ -242,7 +258,7 @@ void Pipeline::makeStepper(std::size_t maxIterations, bool creases) {
   locksChanged_ = false;
   options.offsets = offsets_;
   options.normals = normals_;
-  options.rngSeed = static_cast<std::uint32_t>(p.rngSeed);
+  options.rngSeed = creases.value_or(static_cast<std::uint32_t>(p.rngSeed));
   options.useOffsets = p.offsets;
   options.offsetDamping = p.offsetDamping;
   options.lookahead = p.lookahead;
@@ -251,9 +267,13 @@ void Pipeline::makeStepper(std::size_t maxIterations, bool creases) {
   options.detectCycles = p.detectCycles;
   options.settle = static_cast<std::size_t>(p.settle);
   options.refine = refineOptions(p);
+  options.refine.sideFactor = hintFactors(*mesh_, document_.hints);
   options.vsa = {vsaSeeding(p.vsaSeeding), p.vsaTeleport};
   options.mcgim = {p.mcgimLambda, p.mcgimNormals == "running", p.mcgimDisks};
-  options.onFlood = [this](const FloodStart& start) { noteFlood(start); };
+  seedRuns_.reset();
+  onFlood_ = std::make_shared<std::function<void(const FloodStart&)>>(
+      [this](const FloodStart& start) { noteFlood(start); });
+  options.onFlood = [told = onFlood_](const FloodStart& start) { (*told)(start); };
   const SegmentInputs inputs{mesh_, gauss_, graph_};
   creases_ = creases;
   stepper_ =
@@ -336,15 +356,9 @@ void Pipeline::dropStaleFlat() {
   flat_.parameters = document_.parameters;
 }
 
-bool Pipeline::unwrap(Progress& progress) {
-  unwrapAsked_ = true;
+bool Pipeline::layFlat(Progress& progress) {
   dropStaleFlat();
   const Parameters& p = document_.parameters;
-  const auto timed = [](double& milliseconds, auto&& stage) {
-    const Clock::time_point start = Clock::now();
-    stage();
-    milliseconds = millisecondsSince(start);
-  };
   if (!flat_.cut) {
     progress.beginPhase("Cutting into disks");
     CutOptions options{p.cutHandles, p.cutLoops, p.cutTips, p.tip};
@@ -366,6 +380,13 @@ bool Pipeline::unwrap(Progress& progress) {
     });
     if (!flat_.unwrap) return false;
   }
+  return true;
+}
+
+bool Pipeline::unwrap(Progress& progress) {
+  unwrapAsked_ = true;
+  if (!layFlat(progress)) return false;
+  const Parameters& p = document_.parameters;
   if (!flat_.atlas) {
     progress.beginPhase("Packing the texture");
     using Kind = LayoutOptions::Kind;
@@ -406,6 +427,8 @@ void Pipeline::report(Results& results) const {
   results.timing = timing_;
   results.parameters = document_.parameters;
   results.placed = document_.seeds;
+  results.seedRuns = seedRuns_;
+  results.chartRuns = chartRuns_;
   if (!stepper_) return;
   results.history.assign(stepper_->history().begin(), stepper_->history().end());
   results.bestIteration = stepper_->bestIteration();

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "core/model/mesh.h"
 #include "core/segment/segmenter.h"
 #include "core/session/parameters.h"
+#include "core/session/run_set.h"
 #include "core/session/session.h"
 
 namespace chartflood {
@@ -55,6 +57,15 @@ class Pipeline {
   bool complete() const { return !stale() && segmentation_ && segmentation_->complete; }
   /// True when charts that are or were laid flat, or that a stop rule has finished, await it.
   bool awaitsUnwrap() const;
+  /// True when going to the end means to try several generator seeds: where the parameters ask for
+  /// it and seeds are left to chance.
+  bool triesSeeds() const;
+  /// Runs to the end with each of the generator seeds on a thread of its own, and goes on with the
+  /// one of the shortest seams among the balanced. The charts of a cancelled call are the old ones.
+  StepOutcome stepWithSeeds(Progress& progress);
+  /// Runs with more and more charts until the stretch is small enough, then between; the present
+  /// charts stay. False when cancelled.
+  bool findChartCount(Progress& progress);
   /// Copies what is known into `results`, the labels and figures as last measured.
   void report(Results& results) const;
   /// True when charts are shown that later values have made stale.
@@ -75,6 +86,17 @@ class Pipeline {
   /// True when the stepper holds the charts of the moment already.
   bool standsAt(const FloodMoment& moment) const;
   bool isFlat() const;
+  /// The first two steps of unwrap(): cutting and laying flat.
+  bool layFlat(Progress& progress);
+  /// A pipeline of the same mesh that begins anew, run to the end and laid flat; null when
+  /// cancelled.
+  std::unique_ptr<Pipeline> runApart(const Parameters& parameters, Progress& progress) const;
+  /// The figures of such a pipeline, as a run.
+  Run asRun(bool withResults) const;
+  std::vector<std::unique_ptr<Pipeline>> runAll(std::span<const Parameters> each,
+                                                Progress& progress) const;
+  /// Goes on where another pipeline of the same mesh stands.
+  void takeOver(Pipeline& other);
   /// Forgets the flat stages that do not belong to the present labels and parameters.
   void dropStaleFlat();
   void tellNotFlat() const;
@@ -83,11 +105,12 @@ class Pipeline {
   /// Forgets of the present seeds what does not hold for the new values.
   void reviseSeeds(const Document& before);
   void dropNewestSeeds(std::size_t wanted);
-  /// Whether charts that are made now begin from creases: not where seeds are placed by hand.
-  bool wantsCreases() const;
+  /// Whether charts that are made now begin from creases, and with which generator seed: not where
+  /// seeds are placed by hand.
+  std::optional<std::uint32_t> wantsCreases() const;
   /// Makes a stepper that begins with the present seeds, if there are any.
   void makeStepper(std::size_t maxIterations);
-  void makeStepper(std::size_t maxIterations, bool creases);
+  void makeStepper(std::size_t maxIterations, std::optional<std::uint32_t> creases);
   /// Begins again where the stepper stands, so that the next rounds know of changed locks.
   void takeLocks(Progress& progress);
   void noteFlood(const FloodStart& start);
@@ -96,6 +119,8 @@ class Pipeline {
   void tellOutcome();
 
   Listener listener_;
+  /// What the stepper tells of floods; it goes where the stepper goes.
+  std::shared_ptr<std::function<void(const FloodStart&)>> onFlood_;
   Document document_;
   std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const GaussArea> gauss_;
@@ -110,7 +135,9 @@ class Pipeline {
   Flat shownFlat_;             ///< the last complete one
   bool unwrapAsked_ = false;   ///< of the present charts
   bool locksChanged_ = false;  ///< since the stepper was made
-  bool creases_ = false;       ///< the stepper's charts are from creases
+  std::optional<std::uint32_t> creases_;     ///< the stepper's charts are from creases
+  std::shared_ptr<const RunSet> seedRuns_;   ///< of the present charts
+  std::shared_ptr<const RunSet> chartRuns_;  ///< of the mesh
   Timing timing_;
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;

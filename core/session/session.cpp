@@ -42,7 +42,10 @@ class Session::Engine {
   // Called from the caller's thread.
 
   const Document& document() {
-    if (dropSeeds_.exchange(false)) document_.seeds.clear();
+    if (dropSeeds_.exchange(false)) {
+      document_.seeds.clear();
+      document_.hints.clear();
+    }
     return document_;
   }
 
@@ -120,6 +123,11 @@ class Session::Engine {
     queue_.cancel(JobQueue::Kind::Unwrap);
     add(JobQueue::Kind::Step, [this, unit, count](Progress& progress) {
       if (!requireMesh()) return;
+      if (unit == StepUnit::Converged && pipeline_.triesSeeds()) {
+        const StepOutcome outcome = pipeline_.stepWithSeeds(progress);
+        publish(outcome != StepOutcome::Cancelled);
+        return unwrapWhenDue();
+      }
       // Whole rounds are taken one by one, so that each can be seen when it is done.
       const bool untilEnd = unit == StepUnit::Converged;
       const bool byRounds = unit != StepUnit::Face;
@@ -133,6 +141,13 @@ class Session::Engine {
         publish(!more);
       }
       unwrapWhenDue();
+    });
+  }
+
+  void findChartCount() {
+    queue_.cancel(JobQueue::Kind::Step);
+    add(JobQueue::Kind::Step, [this](Progress& progress) {
+      if (requireMesh() && pipeline_.findChartCount(progress)) publish(false);
     });
   }
 
@@ -250,7 +265,7 @@ class Session::Engine {
 
   Document document_;                   // the caller's
   Pipeline pipeline_;                   // the worker's
-  std::atomic<bool> dropSeeds_{false};  ///< a new mesh came: seeds placed on the old one are void
+  std::atomic<bool> dropSeeds_{false};  ///< a new mesh came: seeds and hints of the old are void
   std::atomic<bool> autoUnwrap_{false};
   std::atomic<void (*)()> wake_{nullptr};
   mutable std::mutex mutex_;
@@ -307,6 +322,8 @@ void Session::restore(const Document& document, const FloodMoment& moment) {
 }
 
 void Session::step(StepUnit unit, std::size_t count) { engine_->step(unit, count); }
+
+void Session::findChartCount() { engine_->findChartCount(); }
 
 void Session::unwrap() { engine_->unwrap(); }
 

@@ -35,6 +35,8 @@ struct Timing {
   double cut = -1, unwrap = -1, pack = -1;
 };
 
+struct RunSet;
+
 /// Everything computed so far. Immutable; parts are shared between versions. Parts that a change
 /// made stale stay until their new version is ready (`stale` says so).
 struct Results {
@@ -52,17 +54,19 @@ struct Results {
   bool flat = false;
   /// The flood under way or last done; grows while the worker floods.
   std::shared_ptr<const FloodRecord> record;
-  std::size_t recordIteration = 0;  ///< round that `record` belongs to
-  std::vector<Index> seeds;         ///< of the round of `record`
-  std::vector<double> offsets;      ///< of the round of `record`, one a seed or none
-  std::vector<glm::dvec3> normals;  ///< of the round of `record`, one a seed or none
-  bool creases = false;             ///< `record` shows charts from creases
+  std::size_t recordIteration = 0;       ///< round that `record` belongs to
+  std::vector<Index> seeds;              ///< of the round of `record`
+  std::vector<double> offsets;           ///< of the round of `record`, one a seed or none
+  std::vector<glm::dvec3> normals;       ///< of the round of `record`, one a seed or none
+  std::optional<std::uint32_t> creases;  ///< as in FloodMoment
   /// Steps of the seam cuts from the flooded labels to the final ones; null when there were none.
   std::shared_ptr<const SeamRecord> seamRecord;
   std::vector<IterationSummary> history;
   std::size_t bestIteration = 0;
   StopReason stopReason = StopReason::NotStopped;
-  bool finished = false;  ///< a stop rule has fired and the borders were finished
+  bool finished = false;                    ///< a stop rule has fired and the borders were finished
+  std::shared_ptr<const RunSet> seedRuns;   ///< seeds tried for these charts; null: one
+  std::shared_ptr<const RunSet> chartRuns;  ///< the last search for the number of charts
   bool stale = false;
   Timing timing;
   Parameters parameters;           ///< that the results were made with
@@ -128,6 +132,9 @@ class Session {
 
   /// Advances the segmentation; steps asked for while one runs are queued after it.
   void step(StepUnit unit, std::size_t count = 1);
+  /// Looks for the fewest charts whose stretch is at most the parameter's: Results::chartRuns. The
+  /// present charts stay as they are.
+  void findChartCount();
   /// Stops the running step at the next face and drops waiting ones. The state stays.
   void stop();
   /// Begins the present flood again with the same seeds, nothing taken.

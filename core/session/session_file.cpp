@@ -35,6 +35,7 @@ SessionFile sessionOf(const SessionModel& model, const Document& document, const
   for (const PlacedSeed& seed : document.seeds) {
     session.seeds.push_back({mesh.inputFace(seed.face), seed.locked});
   }
+  session.hints = document.hints;
   session.charts = momentOf(results);
   session.charts.seeds = inputFaces(mesh, session.charts.seeds);
   return session;
@@ -44,6 +45,7 @@ SessionContent sessionContent(const SessionFile& session, const Mesh& mesh,
                               const std::string& checksum) {
   SessionContent content;
   content.document.parameters = session.parameters;
+  content.document.hints = session.hints;
   const std::string& wanted = session.model.checksum;
   const bool changed = !wanted.empty() && !checksum.empty() && wanted != checksum;
   if (changed) {

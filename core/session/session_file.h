@@ -39,6 +39,7 @@ struct SessionFile {
   SessionModel model;
   Parameters parameters;
   std::vector<PlacedSeed> seeds;
+  EdgeHints hints;
   FloodMoment charts;
   std::map<std::string, SessionValue> view;
   /// The session file that this one continues when it was saved by itself; "": none.

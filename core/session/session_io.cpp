@@ -52,6 +52,14 @@ Json seedsJson(const std::vector<PlacedSeed>& seeds) {
   return json;
 }
 
+Json hintsJson(const EdgeHints& hints) {
+  Json json = {{"cut", Json::array()}, {"never", Json::array()}};
+  for (const EdgeHint& hint : hints) {
+    json[hint.kind == HintKind::Cut ? "cut" : "never"].push_back({hint.a, hint.b});
+  }
+  return json;
+}
+
 Json normalsJson(const std::vector<glm::dvec3>& normals) {
   Json json = Json::array();
   for (const glm::dvec3& n : normals) json.push_back({n.x, n.y, n.z});
@@ -249,6 +257,22 @@ std::vector<PlacedSeed> readSeeds(Reader& reader) {
   return seeds;
 }
 
+/// Pairs of vertices under the name of each kind.
+EdgeHints readHints(Reader& parent, std::vector<std::string>& warnings) {
+  Reader reader(parent.part("hints", false), "hints/", warnings);
+  EdgeHints hints;
+  for (const auto& [key, kind] : {std::pair{"cut", HintKind::Cut}, {"never", HintKind::Never}}) {
+    bool all = true;
+    for (const Json& edge : reader.part(key, true)) {
+      const bool usable = edge.is_array() && edge.size() == 2 && isFace(edge[0]) && isFace(edge[1]);
+      all = all && usable;
+      if (usable) addHint(hints, edge[0].get<Index>(), edge[1].get<Index>(), kind);
+    }
+    if (!all) reader.unusable(key);
+  }
+  return hints;
+}
+
 FloodMoment readCharts(Reader& parent, std::vector<std::string>& warnings) {
   Reader reader(parent.part("charts", false), "charts/", warnings);
   FloodMoment moment;
@@ -269,7 +293,9 @@ FloodMoment readCharts(Reader& parent, std::vector<std::string>& warnings) {
   }
   moment.taken = reader.count("taken");
   moment.finished = reader.flag("finished");
-  moment.creases = reader.flag("creases");
+  if (const Json seed = reader.take("creases"); seed.is_number_unsigned()) {
+    moment.creases = static_cast<std::uint32_t>(seed.get<std::uint64_t>());
+  }
   usable = usable && (moment.offsets.empty() || moment.offsets.size() == moment.seeds.size()) &&
            (moment.normals.empty() || moment.normals.size() == moment.seeds.size());
   if (usable) return moment;
@@ -328,11 +354,12 @@ std::string sessionText(const SessionFile& session, const std::filesystem::path&
       {"model", modelJson(session.model, target)},
       {"parameters", parametersJson(session.parameters)},
       {"seeds", seedsJson(session.seeds)},
+      {"hints", hintsJson(session.hints)},
       {"charts",
        {{"seeds", session.charts.seeds},
         {"offsets", session.charts.offsets},
         {"normals", normalsJson(session.charts.normals)},
-        {"creases", session.charts.creases},
+        {"creases", session.charts.creases ? Json(*session.charts.creases) : Json(nullptr)},
         {"taken", session.charts.taken},
         {"finished", session.charts.finished}}},
       {"view", viewJson(session.view)},
@@ -360,6 +387,7 @@ SessionFile readSession(const std::filesystem::path& file) {
   Reader parameters(top.part("parameters", false), "parameters/", session.warnings);
   session.parameters = readParameters(parameters);
   session.seeds = readSeeds(top);
+  session.hints = readHints(top, session.warnings);
   session.charts = readCharts(top, session.warnings);
   session.view = readView(top);
   session.continues = top.text("continues");

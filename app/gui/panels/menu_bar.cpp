@@ -67,6 +67,8 @@ void editMenu(const Ui& ui) {
   ImGui::Separator();
   actionMenuItem(ui, "more-charts");
   actionMenuItem(ui, "fewer-charts");
+  actionMenuItem(ui, "find-charts");
+  actionMenuItem(ui, "charts-from-creases");
   actionMenuItem(ui, "roll-seed");
   actionMenuItem(ui, "reset-all");
   ImGui::Separator();
@@ -83,6 +85,7 @@ void seedsMenu(const Ui& ui) {
   if (!beginMenu(ui, "Seeds")) return;
   actionMenuItem(ui, "tool select", "Select charts");
   actionMenuItem(ui, "tool seeds", "Work on seeds");
+  actionMenuItem(ui, "tool hints", "Paint hints on edges");
   ImGui::Separator();
   actionMenuItem(ui, "add-seed-in-view");
   actionMenuItem(ui, "delete-seed", "Delete the one under the mouse");
@@ -90,6 +93,7 @@ void seedsMenu(const Ui& ui) {
   ImGui::Separator();
   actionMenuItem(ui, "lock-seed", "Lock the one under the mouse");
   actionMenuItem(ui, "clear-locks");
+  actionMenuItem(ui, "clear-hints");
   ImGui::Separator();
   actionMenuItem(ui, "copy-seeds");
   ImGui::EndMenu();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/gui/panels/chart_count_plot.h"
 #include "app/gui/panels/histogram_plot.h"
 #include "app/gui/panels/panels.h"
 #include "app/gui/panels/plot_widgets.h"
@@ -204,8 +205,9 @@ void plotsPanel(const Ui& ui) {
   ImGui::BeginChild("plots", {0, 0}, false, ImGuiWindowFlags_NoNav);
   const Results& results = ui.state.results();
   const int full = (results.chartStats ? 1 : 0) + (stretchOfCharts(results).empty() ? 0 : 1) +
-                   inMode + (results.history.empty() ? 0 : 1);
-  const float height = plotHeight(ui, full, 3 + std::max(1, inMode) - full);
+                   inMode + (results.history.empty() ? 0 : 1) + (results.chartRuns ? 1 : 0);
+  const int empty = 3 + std::max(1, inMode) + (results.chartRuns ? 1 : 0) - full;
+  const float height = plotHeight(ui, full, empty);
   areaOfCharts(ui, height);
   stretchPlot(ui, height);
   if (inMode == 0) {
@@ -216,6 +218,7 @@ void plotsPanel(const Ui& ui) {
     }
   }
   spreadOverRounds(ui, height);
+  chartCountPlot(ui, height);
   ImGui::EndChild();
 }
 

@@ -7,6 +7,7 @@
 #include <imgui_internal.h>
 
 #include "app/gui/camera_control.h"
+#include "app/gui/panels/hints_tool.h"
 #include "app/gui/panels/seeds_tool.h"
 #include "app/gui/widgets.h"
 
@@ -72,6 +73,7 @@ void hover(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMo
 void dragInView(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMouse& mouse) {
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
   mouse.travelled += std::abs(delta.x) + std::abs(delta.y);
+  if (ui.state.hintStroke) return dragBrush(ui, source, view);
   if (mouse.travelled < SceneMouse::kClickTravel) return;
   if (mouse.button == 0 && mouse.seed != kNone) {
     dragSeed(ui, source, view, mouse);
@@ -90,10 +92,13 @@ void useMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
     if (ui.state.compare.showing()) activate(ui.state, mouse.pane);
     mouse.seed = kNone;
     if (mouse.pane.live()) pressSeed(ui, source, view, mouse);
+    pressBrush(ui, source, view, mouse);
   }
   if (ImGui::IsItemActive() && mouse.button >= 0) dragInView(ui, source, view, mouse);
   if (ImGui::IsItemDeactivated()) {
-    if (usesSeeds(ui, mouse) || mouse.seedDragged) {
+    if (ui.state.hintStroke) {
+      releaseBrush(ui);
+    } else if (usesSeeds(ui, mouse) || mouse.seedDragged) {
       releaseSeed(ui, source, view, mouse);
     } else if (mouse.button == 0 && mouse.travelled < SceneMouse::kClickTravel) {
       click(ui, source, view, mouse);
@@ -161,6 +166,9 @@ std::vector<const char*> hintLines(const Ui& ui) {
     return {
         "Right click: menu    Drag beside: turn    V: select charts",
         "Click: add a seed    Drag a seed: move it    Ctrl+click: remove    Double click: lock"};
+  }
+  if (ui.state.panels.tool == PanelState::Tool::Hints) {
+    return {"Drag on the model: paint edges    Drag beside: turn    V: select charts"};
   }
   switch (ui.state.preferences.navigation) {
   case NavigationStyle::Blender:

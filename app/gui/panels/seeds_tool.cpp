@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/gui/panels/hints_tool.h"
 #include "app/gui/widgets.h"
 
 namespace chartflood {
@@ -190,6 +191,9 @@ void toolSwitch(const Ui& ui, ImVec2 areaMin) {
   tool("Select", PanelState::Tool::Select, "tool select");
   ImGui::SameLine(0, ui.px(2));
   tool("Seeds", PanelState::Tool::Seeds, "tool seeds");
+  ImGui::SameLine(0, ui.px(2));
+  tool("Hints", PanelState::Tool::Hints, "tool hints");
+  if (ui.state.panels.tool == PanelState::Tool::Hints) brushSwitch(ui);
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);

@@ -24,7 +24,7 @@ void releaseSeed(const Ui& ui, SceneSource* source, const ViewRectangle& view, S
 /// The menu of a seed that was right-clicked, and seeds asked for by actions.
 void seedMenu(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMouse& mouse);
 
-/// Two buttons in the corner of the area.
+/// A button a tool in the corner of the area.
 void toolSwitch(const Ui& ui, ImVec2 areaMin);
 
 }  // namespace chartflood

@@ -1,0 +1,75 @@
+#include "core/io/read_hints.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/io/file_bytes.h"
+#include "core/io/source.h"
+#include "core/io/text_rows.h"
+
+namespace chartflood {
+
+namespace {
+
+/// All edges by the vertices of the file, ascending.
+std::vector<std::pair<Index, Index>> edgesOf(const Mesh& mesh) {
+  std::vector<std::pair<Index, Index>> edges;
+  edges.reserve(3 * mesh.triangleCount());
+  for (Index s = 0; s < 3 * mesh.triangleCount(); ++s) {
+    const Index a = mesh.inputVertex(mesh.sideStart(s)), b = mesh.inputVertex(mesh.sideEnd(s));
+    edges.emplace_back(std::min(a, b), std::max(a, b));
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+}  // namespace
+
+EdgeHints readHints(const std::filesystem::path& file, const Mesh& mesh) {
+  const FileBytes bytes(file);
+  const Source source{bytes.view(), file.string()};
+  source.requireText("list of edges");
+  const std::vector<std::pair<Index, Index>> edges = edgesOf(mesh);
+  EdgeHints hints;
+  TextRows rows(source, source.begin(), '#');
+  while (rows.next()) {
+    const char* const line = rows.position();
+    const std::string_view word = rows.word();
+    if (word != "cut" && word != "never") {
+      source.failAtLine(line,
+                        "has " + quotedWord(line, source.end()) + " where cut or never is due");
+    }
+    const std::int64_t a = rows.integer("the number of a vertex");
+    const std::int64_t b = rows.integer("the number of a vertex");
+    const bool fits = std::min(a, b) >= 0 && std::max(a, b) < std::int64_t{kNone};
+    const auto edge =
+        fits ? std::pair(static_cast<Index>(std::min(a, b)), static_cast<Index>(std::max(a, b)))
+             : std::pair(kNone, kNone);
+    if (!std::binary_search(edges.begin(), edges.end(), edge)) {
+      source.failAtLine(line, "names vertices " + std::to_string(a) + " and " + std::to_string(b) +
+                                  ", between which the mesh has no edge");
+    }
+    hints.push_back({edge.first, edge.second, word == "cut" ? HintKind::Cut : HintKind::Never});
+  }
+  // The last of equals wins.
+  std::reverse(hints.begin(), hints.end());
+  std::stable_sort(hints.begin(), hints.end());
+  hints.erase(
+      std::unique(hints.begin(), hints.end(),
+                  [](const EdgeHint& x, const EdgeHint& y) { return !(x < y) && !(y < x); }),
+      hints.end());
+  return hints;
+}
+
+std::string hintsText(const EdgeHints& hints) {
+  std::string text;
+  for (const EdgeHint& hint : hints) {
+    text += (hint.kind == HintKind::Cut ? "cut " : "never ") + std::to_string(hint.a) + ' ' +
+            std::to_string(hint.b) + '\n';
+  }
+  return text;
+}
+
+}  // namespace chartflood

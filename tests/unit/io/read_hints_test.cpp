@@ -1,0 +1,50 @@
+// Painted edges as text: core/io/read_hints.
+
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/io/read_hints.h"
+#include "tests/support/test_meshes.h"
+
+namespace chartflood {
+namespace {
+
+std::filesystem::path written(const std::string& text) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "hints.txt";
+  std::ofstream(file, std::ios::binary) << text;
+  return file;
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    readHints(written(text), *test::quadCube());
+  } catch (const ReadError& error) {
+    return error.cause();
+  }
+  return "";
+}
+
+TEST(ReadHints, OfEitherKindInAnyOrder) {
+  const auto mesh = test::grid(2, true);
+  const EdgeHints hints =
+      readHints(written("# seams\nnever 1 0\n\ncut 1 2  # here\nnever 2 1\n"), *mesh);
+  EXPECT_EQ(hints, (EdgeHints{{0, 1, HintKind::Never}, {1, 2, HintKind::Never}}));
+  EXPECT_EQ(readHints(written(hintsText(hints)), *mesh), hints);
+  EXPECT_EQ(readHints(written(""), *mesh), EdgeHints{});
+}
+
+TEST(ReadHints, RefusesWhatIsNone) {
+  EXPECT_THAT(refusal("cut 0 99"), testing::HasSubstr("line 1 names vertices 0 and 99"));
+  EXPECT_THAT(refusal("cut 0 0"), testing::HasSubstr("no edge"));
+  EXPECT_THAT(refusal("\nfold 0 1"), testing::HasSubstr("line 2 has \"fold\""));
+  EXPECT_THAT(refusal("cut 0"), testing::HasSubstr("the number of a vertex"));
+  EXPECT_THAT(refusal("cut 0 x"), testing::HasSubstr("the number of a vertex"));
+  EXPECT_THAT(refusal("cut -1 0"), testing::HasSubstr("no edge"));
+}
+
+}  // namespace
+}  // namespace chartflood
