@@ -35,9 +35,9 @@ TEST_F(Runs, TheBestSeedIsWhatItGivesAlone) {
   ASSERT_TRUE(best->seedRuns);
   ASSERT_EQ(best->seedRuns->runs.size(), 3u);
   EXPECT_TRUE(best->finished);
-  const Run& chosen = best->seedRuns->runs[best->seedRuns->chosen];
+  const chartflood::Run& chosen = best->seedRuns->runs[best->seedRuns->chosen];
   EXPECT_EQ(chosen.results->segmentation->label, best->segmentation->label);
-  for (const Run& run : best->seedRuns->runs) {
+  for (const chartflood::Run& run : best->seedRuns->runs) {
     if (run.spread.value_or(0) <= 0.02) EXPECT_LE(chosen.seams, run.seams);
   }
   Document alone = withSeeds(1);
@@ -76,14 +76,14 @@ TEST_F(Runs, TheFewestChartsStretchNoMoreThanAllowed) {
   session_.findChartCount();
   const auto set = session_.results()->chartRuns;
   ASSERT_TRUE(set);
-  const Run& chosen = set->runs[set->chosen];
+  const chartflood::Run& chosen = set->runs[set->chosen];
   EXPECT_LE(chosen.stretch, 1.05);
   EXPECT_GT(chosen.charts, 1u);
-  for (const Run& run : set->runs) {
+  for (const chartflood::Run& run : set->runs) {
     if (run.charts < chosen.charts) EXPECT_GT(run.stretch, 1.05);
   }
   EXPECT_TRUE(std::is_sorted(set->runs.begin(), set->runs.end(),
-                             [](const Run& a, const Run& b) { return a.charts < b.charts; }));
+                             [](const auto& a, const auto& b) { return a.charts < b.charts; }));
   EXPECT_FALSE(session_.results()->segmentation) << "the charts stay as they were";
 }
 

@@ -1,6 +1,7 @@
 // Session files: what is written comes back, and nothing broken gets through:
 // core/session/session_io.
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -89,7 +90,7 @@ TEST_F(SessionFiles, EveryParameterComesBack) {
     ParameterValue value = parameterValue(session.parameters, info);
     if (bool* on = std::get_if<bool>(&value)) *on = !*on;
     if (int* whole = std::get_if<int>(&value)) *whole += 1;
-    if (double* number = std::get_if<double>(&value)) *number = *number / 3;
+    if (double* number = std::get_if<double>(&value)) *number = std::max(*number / 3, info.hardMin);
     setParameter(session.parameters, info, value);
     write(sessionText(session, target()));
     const SessionFile again = readSession(target());
