@@ -104,7 +104,7 @@ TEST_F(Program, WrongUsageLeavesWithTwoAndOneSentence) {
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"--chart=3"},
            {"--charts=0"},
-           {"--charts=auto", "--report=-"},
+           {"--charts=auto", "--steps=4", "--report=-"},
            {"--export-mesh=a.fbx"},
            {"a.obj", "b.obj"},
            {"--sample=rokcet", "--report=-"},

@@ -58,8 +58,11 @@ TEST(Report, HasEveryKeyOfTheFormat) {
                                   "seam_length",
                                   "seam_length_over_sqrt_area",
                                   "cut_length",
+                                  "crease_share",
                                   "packing_efficiency",
                                   "history",
+                                  "seed_runs",
+                                  "chart_runs",
                                   "per_chart",
                                   "timing_ms"}));
   EXPECT_EQ(keysOf(result["gauss_area"]),

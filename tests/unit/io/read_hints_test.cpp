@@ -34,7 +34,7 @@ TEST(ReadHints, OfEitherKindInAnyOrder) {
       readHints(written("# seams\nnever 1 0\n\ncut 1 2  # here\nnever 2 1\n"), *mesh);
   EXPECT_EQ(hints, (EdgeHints{{0, 1, HintKind::Never}, {1, 2, HintKind::Never}}));
   EXPECT_EQ(readHints(written(hintsText(hints)), *mesh), hints);
-  EXPECT_EQ(readHints(written(""), *mesh), EdgeHints{});
+  EXPECT_EQ(readHints(written("# none\n"), *mesh), EdgeHints{});
 }
 
 TEST(ReadHints, RefusesWhatIsNone) {
