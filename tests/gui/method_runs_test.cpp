@@ -67,10 +67,13 @@ TEST_F(MethodRunsTest, GiveWhatEachMethodGivesAloneAndCanBeUsed) {
   segment(state, 1200);
   state.perform(actions_, "compare-methods");
   waitForRuns(state);
-  for (const char* line : {"set method vsa", "set refine none", "run"}) {
+  for (const char* line : {"set method vsa", "set refine none"}) {
     ASSERT_TRUE(state.perform(actions_, line)) << line;
     state.update(0);
   }
+  state.session().step(StepUnit::Converged);
+  state.session().waitIdle();
+  state.update(0);
   const auto alone = state.results().segmentation->label;
   EXPECT_EQ(state.compare.find("B")->results->segmentation->label, alone);
   ASSERT_TRUE(state.perform(actions_, "use A"));
