@@ -54,6 +54,11 @@ void ChartLayer::growTo(std::size_t chartCount) {
   }
 }
 
+void ChartLayer::paint(std::span<const Index> numbers) {
+  growTo(numbers.size());
+  std::copy(numbers.begin(), numbers.end(), colorNumber_.begin());
+}
+
 void ChartLayer::recolor(std::span<const ChartPair> neighbours) {
   std::size_t count = colorNumber_.size();
   for (const ChartPair& pair : neighbours) count = std::max<std::size_t>(count, pair.second + 1u);

@@ -31,6 +31,9 @@ class ChartLayer {
   void setSeeds(std::span<const glm::dvec3> places);
   /// Makes room for at least so many charts.
   void growTo(std::size_t chartCount);
+  /// Gives the first charts these numbers of colours, which they keep as long as neighbours differ.
+  void paint(std::span<const Index> numbers);
+  std::span<const Index> colorNumbers() const { return colorNumber_; }
   /// Uploads colours, states and values for a picture where they changed. `longestTime` holds each
   /// chart's last local time.
   void update(const RenderSettings& settings, std::span<const float> longestTime);

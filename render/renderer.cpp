@@ -67,6 +67,14 @@ void Renderer::setSegmentation(const Segmentation* segmentation) {
   if (mesh_) charts_->setSegmentation(segmentation);
 }
 
+void Renderer::setChartColors(std::span<const Index> numbers) {
+  if (mesh_) charts_->paint(numbers);
+}
+
+std::span<const Index> Renderer::chartColorNumbers() const {
+  return charts_ ? charts_->colorNumbers() : std::span<const Index>{};
+}
+
 void Renderer::setFlood(std::shared_ptr<const FloodRecord> record, std::size_t most) {
   if (!mesh_) return;
   flood_->follow(std::move(record));

@@ -78,6 +78,9 @@ class Renderer {
   /// The same with the values worked out before, on any thread.
   void setGaussValues(const GaussValues& values);
   void setSegmentation(const Segmentation* segmentation);
+  /// Colours that the first charts begin with, as numbers of a palette's colours: what
+  /// chartColorNumbers() said another day.
+  void setChartColors(std::span<const Index> numbers);
   /// Follows a record from its beginning; updateFlood() uploads what was added since. Of a long one
   /// at most so many entries are taken in by one call; updateFlood() is false when some are left.
   void setFlood(std::shared_ptr<const FloodRecord> record, std::size_t most = kWholeFlood);
@@ -159,6 +162,8 @@ class Renderer {
   const BoundingSphere& bounds() const { return bounds_; }
   /// Colour of a chart as drawn, sRGB in [0, 1]; grey for a chart not known yet.
   glm::vec3 chartColor(Index chart, const RenderSettings& settings) const;
+  /// Number of each chart's colour in the palette.
+  std::span<const Index> chartColorNumbers() const;
 
  private:
   struct ValueLayer {

@@ -67,7 +67,8 @@ void stagePictures(const Results& results, const Invocation& call, std::vector<S
 /// The texture, as SVG or as a picture by the name's ending.
 std::string uvBytes(const Results& results, const Invocation& call) {
   const RenderSettings& look = call.picture.settings;
-  if (fileEnding(call.exportUv) == ".svg") return exportedUvSvg(results, look.palette);
+  if (fileEnding(call.exportUv) == ".svg")
+    return exportedUvSvg(results, look.palette, call.picture.chartColors);
   const Image image = drawTexture(results, call.picture, call.renderingBackend);
   const auto bytes = encodePng(image, pictureTexts(results));
   return {bytes.begin(), bytes.end()};

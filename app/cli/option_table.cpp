@@ -91,6 +91,11 @@ void addPicture(std::vector<OptionInfo>& table) {
   add("scalar-bar", "", "The scale of the colours. Default: on where colours stand for values.");
   add("resolution", "W,H", "Size of the picture in pixels. Default: 1280,960.");
   add("supersampling", "1|2|4", "Samples a pixel in each direction, for smooth lines. Default: 2.");
+  add("line-scale", "N", "How large lines and letters are. Default: by the picture's size.");
+  add("like", "F.png",
+      "The same picture again: charts, view and size of one that the window saved, of the given "
+      "mesh "
+      "or the one beside it. Options given as well win.");
   add("view", "3d|uv|both", "The model, its texture, or both side by side. Default: 3d.");
   add("turntable", "N",
       "So many pictures of a whole turn about the upright axis instead of one: F_001.png, ..");

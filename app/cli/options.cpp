@@ -7,6 +7,7 @@
 #include "app/cli/option_table.h"
 #include "app/cli/tokens.h"
 #include "app/cli/values.h"
+#include "app/host/picture_record.h"
 #include "app/host/preferences.h"
 #include "app/host/session_view.h"
 #include "app/host/standard_paths.h"
@@ -21,17 +22,54 @@ constexpr std::size_t kLargestCount = 1'000'000'000;
 constexpr int kLargestSide = 16384;  // pixels
 constexpr std::size_t kMostThreads = 256;
 
-/// A session as input is what everything else is changed from.
+PictureOptions::View viewFromId(const std::string& id) {
+  using View = PictureOptions::View;
+  return id == "uv" ? View::Uv : id == "both" ? View::Both : View::Model;
+}
+
+/// The picture is to be like the one that is the input, unless told otherwise.
+void takeRecord(const PictureRecord& record, const ViewSettings& view, PictureOptions& picture) {
+  picture.view = viewFromId(record.view);
+  picture.width = record.width;
+  picture.height = record.height;
+  picture.supersampling = record.smooth;
+  picture.lineScale = record.lineScale;
+  picture.settings.playhead = record.playhead;
+  picture.uvCamera = view.uvCamera;
+  picture.uv = view.uv;
+  picture.backgroundGiven = true;
+}
+
+/// A session as input, or a picture that holds one, is what everything else is changed from.
 void readSessionInput(const Tokens& tokens, Invocation& call) {
-  if (tokens.files.size() != 1 || !isSessionFile(tokens.files[0])) return;
   if (tokens.has("help") || tokens.has("version")) return;
-  call.sessionFile = tokens.files[0];
-  call.session = readSession(call.sessionFile);
+  const bool file = tokens.files.size() == 1;
+  const bool like = tokens.has("like");
+  const bool picture = file && isPictureFile(tokens.files[0]);
+  if (like && file && (picture || isSessionFile(tokens.files[0]))) {
+    throw UsageError("--like and " + tokens.files[0] +
+                     " exclude each other: leave one out, or name a mesh.");
+  }
+  std::optional<PictureRecord> record;
+  if (like || picture) {
+    const std::string source = like ? tokens.text("like") : tokens.files[0];
+    const std::string model = like && file ? tokens.files[0] : "";
+    PictureSource read = readPictureSource(source, model);
+    call.session = std::move(read.session);
+    record = read.record;
+  } else if (file && isSessionFile(tokens.files[0])) {
+    call.sessionFile = tokens.files[0];
+    call.session = readSession(call.sessionFile);
+  } else {
+    return;
+  }
   call.parameters = call.session->parameters;
   ViewSettings view;
   view.render = call.picture.settings;
   call.warnings = applyViewValues(call.session->view, view);
   call.picture.settings = view.render;
+  call.picture.chartColors = view.chartColors;
+  if (record) takeRecord(*record, view, call.picture);
   CameraOptions& camera = call.picture.camera;
   if (!view.frameWhenLoaded) camera.saved = view.camera;
   camera.orthographic = view.camera.orthographic;
@@ -145,10 +183,20 @@ void readOverlays(const Tokens& tokens, RenderSettings& settings) {
   read("scalar-bar", settings.scalarBar);
 }
 
+double readWithin(const Tokens& tokens, const std::string& option, double least, double most,
+                  const std::string& allowed) {
+  const double value = readNumber(option, tokens.text(option));
+  if (!(value >= least && value <= most)) {
+    throw UsageError("--" + option + "=" + tokens.text(option) +
+                     " is out of range: give a number " + allowed + ".");
+  }
+  return value;
+}
+
 void readPicture(const Tokens& tokens, PictureOptions& picture) {
   readColors(tokens, picture.settings);
   readBackground(tokens, picture.settings);
-  picture.backgroundGiven = tokens.has("background");
+  picture.backgroundGiven = picture.backgroundGiven || tokens.has("background");
   readOverlays(tokens, picture.settings);
   if (tokens.has("resolution")) {
     std::tie(picture.width, picture.height) =
@@ -159,11 +207,13 @@ void readPicture(const Tokens& tokens, PictureOptions& picture) {
     picture.supersampling =
         readChoice("supersampling", tokens.text("supersampling"), allowed).front() - '0';
   }
+  if (tokens.has("line-scale")) {
+    picture.lineScale = readWithin(tokens, "line-scale", 0.01, 100, "from 0.01 to 100");
+  }
   if (tokens.has("view")) {
     const std::vector<std::string> views{"3d", "uv", "both"};
     const std::string view = readChoice("view", tokens.text("view"), views);
-    picture.view = static_cast<PictureOptions::View>(std::find(views.begin(), views.end(), view) -
-                                                     views.begin());
+    picture.view = viewFromId(view);
   }
 }
 
@@ -186,16 +236,6 @@ void readFrames(const Tokens& tokens, Invocation& call) {
   if (picture.turntable > 0 && picture.floodFilm > 0) {
     throw UsageError("--turntable and --flood-film exclude each other: leave one out.");
   }
-}
-
-double readWithin(const Tokens& tokens, const std::string& option, double least, double most,
-                  const std::string& allowed) {
-  const double value = readNumber(option, tokens.text(option));
-  if (!(value >= least && value <= most)) {
-    throw UsageError("--" + option + "=" + tokens.text(option) +
-                     " is out of range: give a number " + allowed + ".");
-  }
-  return value;
 }
 
 void readCamera(const Tokens& tokens, CameraOptions& camera) {

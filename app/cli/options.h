@@ -16,6 +16,7 @@
 #include "core/session/session_io.h"
 #include "render/camera.h"
 #include "render/render_settings.h"
+#include "render/uv_camera.h"
 
 namespace chartflood {
 
@@ -38,8 +39,12 @@ struct PictureOptions {
   View view = View::Model;
   bool backgroundGiven = false;  ///< --background was written
   RenderSettings settings;
-  int width = 1280, height = 960;  ///< pixels
-  int supersampling = 2;           ///< samples a pixel in each direction
+  int width = 1280, height = 960;    ///< pixels
+  int supersampling = 2;             ///< samples a pixel in each direction
+  double lineScale = 0;              ///< of lines and letters; 0: by the picture's size
+  std::vector<Index> chartColors;    ///< that the charts begin with, see Renderer::setChartColors()
+  std::optional<UvCamera> uvCamera;  ///< nothing: the whole texture
+  UvStyle uv;
   CameraOptions camera;
   std::size_t turntable = 0;  ///< pictures of a whole turn; 0: a single picture
   std::size_t floodFilm = 0;  ///< pictures of the last flood; 0: a single picture
@@ -55,7 +60,7 @@ struct Invocation {
   std::size_t triangles = 0;  ///< of the sample; 0: its own number
 
   std::optional<SessionFile> session;  ///< the input is a session with this content
-  std::filesystem::path sessionFile;   ///< where it was read from
+  std::filesystem::path sessionFile;   ///< where it was read from; "": from a picture
   std::vector<std::string> warnings;   ///< about its view, or a preset
 
   Parameters parameters;

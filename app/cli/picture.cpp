@@ -44,10 +44,11 @@ float pixelScale(int width, int height) {
   return std::max(0.5f, static_cast<float>(std::min(width, height)) / kUsualSide);
 }
 
-void fill(Renderer& renderer, const Results& results) {
+void fill(Renderer& renderer, const Results& results, const PictureOptions& options) {
   const CornerNormals normals = computeCornerNormals(*results.mesh, results.parameters.sharpAngle);
   renderer.setMesh(results.mesh, &normals);
   renderer.setGaussArea(results.gaussArea.get());
+  renderer.setChartColors(options.chartColors);
   renderer.setSegmentation(results.segmentation.get());
   renderer.setFlood(results.record);
   renderer.updateFlood();
@@ -88,11 +89,12 @@ Image drawView(Renderer& renderer, const PictureOptions& options, RenderSettings
   using View = PictureOptions::View;
   const PictureSize size{
       .width = options.width, .height = options.height, .supersampling = options.supersampling};
-  settings.pixelScale = pixelScale(options.width, options.height);
-  const UvCamera texture = UvCamera::whole();
-  if (options.view == View::Uv) return renderUvImage(renderer, texture, settings, {}, size);
+  settings.pixelScale = options.lineScale > 0 ? static_cast<float>(options.lineScale)
+                                              : pixelScale(options.width, options.height);
+  const UvCamera texture = options.uvCamera.value_or(UvCamera::whole());
+  if (options.view == View::Uv) return renderUvImage(renderer, texture, settings, options.uv, size);
   if (options.view == View::Both) {
-    return renderBothImage(renderer, camera, texture, settings, {}, size);
+    return renderBothImage(renderer, camera, texture, settings, options.uv, size);
   }
   return renderImage(renderer, camera, settings, size);
 }
@@ -104,7 +106,7 @@ Image drawPicture(const Results& results, const PictureOptions& options,
   const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
   const gl::CurrentScope current(*context);
   Renderer renderer;
-  fill(renderer, results);
+  fill(renderer, results, options);
   return drawView(renderer, options, options.settings, pictureCamera(results, options));
 }
 
@@ -113,7 +115,7 @@ void drawFrames(const Results& results, const PictureOptions& options, const std
   const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
   const gl::CurrentScope current(*context);
   Renderer renderer;
-  fill(renderer, results);
+  fill(renderer, results, options);
   const bool turns = options.turntable > 0;
   const std::size_t count = turns ? options.turntable : options.floodFilm;
   const Camera first = turns ? turntableCamera(results, options) : pictureCamera(results, options);
@@ -134,7 +136,7 @@ Image drawTexture(const Results& results, const PictureOptions& options,
   const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
   const gl::CurrentScope current(*context);
   Renderer renderer;
-  fill(renderer, results);
+  fill(renderer, results, options);
   const PictureSize size{.width = results.atlas->textureSize,
                          .height = results.atlas->textureSize,
                          .supersampling = options.supersampling};

@@ -22,6 +22,9 @@ class CompareScene : public SceneSource {
   std::vector<glm::vec3> chartColors(const AppState& state) const override {
     return live_.chartColors(state);
   }
+  std::vector<Index> chartColorNumbers(const AppState& state) const override {
+    return live_.chartColorNumbers(state);
+  }
   SceneSource* side(const AppState& state, ComparePane pane) override;
 
   /// The view of a half, up to date, with the scale that all share. Needs a current GL context.

@@ -194,6 +194,9 @@ void Frame::takeChartColors(SceneSource* source) {
   for (const glm::vec3& c : source->chartColors(state_)) {
     memory_.chartColors.push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
   }
+  // Kept with the session: another day the charts have the same colours.
+  std::vector<Index> numbers = source->chartColorNumbers(state_);
+  if (!numbers.empty()) state_.view.chartColors = std::move(numbers);
 }
 
 void Frame::draw(SceneSource* source, UvSource* uvSource) {

@@ -1,13 +1,17 @@
 #pragma once
-/// Takes the pictures that were asked for: drawn by the renderer, written by another thread.
+/// Takes the pictures that were asked for: drawn by the renderer, written by another thread. Of a
+/// row one is taken at a time, between the window's own pictures.
 
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "app/gui/compare_scene.h"
 #include "app/host/app_state.h"
+#include "app/host/picture_record.h"
 #include "render/image.h"
 
 namespace chartflood {
@@ -24,6 +28,12 @@ class PictureTaker {
   /// Takes what the state asks for, with a current GL context, and says what became of it.
   void update(AppState& state, CompareScene& scene, float pixelScale);
 
+  /// What was drawn, where the same picture can be taken again from it.
+  struct Taken {
+    std::optional<RenderSettings> look;
+    PictureRecord record;
+  };
+
  private:
   /// What a written file or a failure has to say.
   struct Outcome {
@@ -31,14 +41,27 @@ class PictureTaker {
     std::string sentence;
   };
 
+  /// A row of pictures under way.
+  struct Row {
+    PictureRequest request;
+    Camera camera;                           ///< as it was at the beginning
+    std::shared_ptr<const Results> results;  ///< that all pictures show
+    std::filesystem::path folder;
+    int next = 0;
+  };
+
+  void beginRow(AppState& state, const PictureRequest& request);
+  void goOn(AppState& state, CompareScene& scene, float pixelScale);
+  void endRow(AppState& state, const std::string& why);
   void take(const AppState& state, CompareScene& scene, const PictureRequest& request,
             float pixelScale);
   /// Has the picture written by another thread.
-  void write(const AppState& state, const PictureRequest& request, Image image);
+  void write(const AppState& state, const PictureRequest& request, Image image, const Taken& taken);
   void report(AppState& state);
 
   std::function<void()> wake_;
   std::future<Outcome> writing_;
+  std::optional<Row> row_;
 };
 
 }  // namespace chartflood

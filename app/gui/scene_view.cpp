@@ -70,10 +70,11 @@ std::vector<SeedMark> seedMarks(const AppState& state) {
 
 SceneView::SceneView(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-void SceneView::takeMesh(const Results& results) {
+void SceneView::takeMesh(const AppState& state, const Results& results) {
   if (results.mesh == mesh_) return;
   mesh_ = results.mesh;
   renderer_.setMesh(mesh_, nullptr);
+  if (pane_.live()) renderer_.setChartColors(state.view.chartColors);
   segmentation_.reset();
   record_.reset();
   derived_.reset();
@@ -216,7 +217,7 @@ void SceneView::takeDistortion(const Results& results) {
 
 void SceneView::takeIn(const AppState& state) {
   const Results& results = paneResults(state, pane_);
-  takeMesh(results);
+  takeMesh(state, results);
   if (!mesh_) return;
   takeDerived(state, results);
   if (results.segmentation != segmentation_) {
@@ -335,6 +336,14 @@ std::vector<glm::vec3> SceneView::chartColors(const AppState& state) const {
     colors.push_back(renderer_.chartColor(c, state.view.render));
   }
   return colors;
+}
+
+std::vector<Index> SceneView::chartColorNumbers(const AppState& state) const {
+  const Segmentation* labels = segmentation_.get();
+  if (!mesh_ || state.results().mesh != mesh_ || labels == nullptr) return {};
+  const auto numbers = renderer_.chartColorNumbers();
+  const auto count = std::min<std::size_t>(labels->chartCount, numbers.size());
+  return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
 Pick SceneView::pick(int x, int y) {

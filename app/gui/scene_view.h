@@ -32,6 +32,8 @@ class SceneSource {
   virtual double pickSeconds() const = 0;
   /// Colour of each chart in the picture, sRGB in [0, 1]; empty: not known.
   virtual std::vector<glm::vec3> chartColors(const AppState&) const { return {}; }
+  /// Number of each chart's colour in the palette; empty while the model is not drawn.
+  virtual std::vector<Index> chartColorNumbers(const AppState&) const { return {}; }
   /// What draws a half of a comparison.
   virtual SceneSource* side(const AppState&, ComparePane) { return this; }
 };
@@ -64,6 +66,7 @@ class SceneView : public SceneSource {
   Pick pick(int x, int y) override;
   double pickSeconds() const override { return pickSeconds_; }
   std::vector<glm::vec3> chartColors(const AppState& state) const override;
+  std::vector<Index> chartColorNumbers(const AppState& state) const override;
 
   /// True while a slow picture is on its way: call goOn() until it is done.
   bool busy() const { return pending_.has_value(); }
@@ -89,7 +92,7 @@ class SceneView : public SceneSource {
   };
 
   void takeIn(const AppState& state);
-  void takeMesh(const Results& results);
+  void takeMesh(const AppState& state, const Results& results);
   void takeDerived(const AppState& state, const Results& results);
   void takeFlood(std::shared_ptr<const FloodRecord> record);
   void takeSeeds(const AppState& state);

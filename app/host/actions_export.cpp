@@ -51,8 +51,9 @@ void exportUv(AppState& state, const Arguments& a) {
     throw UsageError(file.filename().string() + " cannot be written: give a name that ends in "
                                                 ".png or .svg.");
   }
-  exportTo(state, a, PanelState::Browse::SaveUv,
-           [&] { return exportedUvSvg(state.results(), state.view.render.palette); });
+  exportTo(state, a, PanelState::Browse::SaveUv, [&] {
+    return exportedUvSvg(state.results(), state.view.render.palette, state.view.chartColors);
+  });
 }
 
 void addFlatExports(ActionRegistry& registry) {

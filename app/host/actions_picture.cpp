@@ -52,9 +52,67 @@ void takePicture(AppState& state, const Arguments& a) {
   state.requests.pictures.push_back(std::move(request));
 }
 
+void takeRow(AppState& state, const Arguments& a, PictureRequest::Row row) {
+  PictureRequest request;
+  request.settings = state.preferences.picture;
+  request.row = row;
+  if (a.has("frames")) setPictureValue(request.settings, "frames", a.text("frames"));
+  // A row is of the live model; where it turns there is nothing of the texture to see.
+  const std::string& view = request.settings.view;
+  if (view == "ab" || (view == "uv" && row == PictureRequest::Row::Turntable)) {
+    request.settings.view = "3d";
+  }
+  const std::string reason = viewRefusal(state, view);
+  if (!reason.empty()) throw Refusal(reason);
+  if (state.pictureRow.running()) {
+    throw Refusal("Pictures are being taken; wait for them or stop them first.");
+  }
+  state.requests.pictures.push_back(std::move(request));
+}
+
+std::string needsFlood(const AppState& state) {
+  if (!state.hasMesh()) return needsMesh(state);
+  const bool flooded = state.results().record && state.results().record->size() > 0;
+  return flooded ? "" : "There is no flood yet; press Play first.";
+}
+
+void addRows(ActionRegistry& registry) {
+  const std::vector<ArgumentInfo> frames = {
+      {"frames", ArgumentType::Integer, "how many pictures; left out: as set", false}};
+  registry.add({.id = "turntable",
+                .title = "Take a turntable",
+                .help = "Saves numbered pictures of a whole turn about the upright axis, in a new "
+                        "folder.",
+                .arguments = frames,
+                .refusal = needsMesh,
+                .run = [](AppState& state, const Arguments& a) {
+                  takeRow(state, a, PictureRequest::Row::Turntable);
+                }});
+  registry.add({.id = "flood-film",
+                .title = "Take a film of the flood",
+                .help = "Saves numbered pictures of the present flood on its way, in a new folder; "
+                        "the last one shows the charts.",
+                .arguments = frames,
+                .refusal = needsFlood,
+                .run = [](AppState& state, const Arguments& a) {
+                  takeRow(state, a, PictureRequest::Row::FloodFilm);
+                }});
+  registry.add(
+      {.id = "stop-pictures",
+       .title = "Stop",
+       .help = "Takes no more pictures of the row; those that were saved stay.",
+       .arguments = {},
+       .refusal =
+           [](const AppState& state) {
+             return state.pictureRow.running() ? "" : "No pictures are being taken.";
+           },
+       .run = [](AppState& state, const Arguments&) { state.requests.stopPictures = true; }});
+}
+
 }  // namespace
 
 void addPictureActions(ActionRegistry& registry) {
+  addRows(registry);
   registry.add(
       {.id = "screenshot",
        .title = "Picture",

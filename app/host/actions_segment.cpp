@@ -171,6 +171,10 @@ void addRuns(ActionRegistry& registry) {
                 .arguments = {},
                 .refusal = {},
                 .run = [](AppState& state, const Arguments&) {
+                  if (state.pictureRow.running()) {
+                    state.requests.stopPictures = true;
+                    return;
+                  }
                   if (!state.status().busy && !state.playback.playing() &&
                       !state.methodRuns.running()) {
                     state.selectedChart = kNone;

@@ -7,6 +7,7 @@
 
 #include "app/host/action_registry.h"
 #include "app/host/command.h"
+#include "app/host/picture_record.h"
 #include "app/host/session_view.h"
 #include "core/base/error.h"
 #include "core/io/file_output.h"
@@ -55,6 +56,7 @@ void AppState::takeNewMesh() {
   methodRuns.stop();
   view.uvCamera = {};
   view.isolate = false;
+  view.chartColors.clear();
   view.frameWhenLoaded = true;
   const std::string& name = results_->mesh->input().file;
   const bool asked = opening_ && (opening_->model.file == name || opening_->model.sample == name);
@@ -84,6 +86,13 @@ void AppState::takeSession(Opening& opening) {
   for (auto& [key, value] : session.view) {
     if (!known.contains(key)) unknownView_[key] = value;
   }
+  // Pictures know of charts that were selected or hidden, sessions do not.
+  const std::vector<Index> selected = std::exchange(view.render.selectedCharts, {});
+  const std::vector<Index> hidden = std::exchange(view.render.hiddenCharts, {});
+  if (selected.size() == 1 && selected[0] < session.charts.seeds.size()) {
+    selectedChart = selected[0];
+    view.isolate = !hidden.empty();
+  }
   SessionContent content = sessionContent(session, *results_->mesh, results_->checksum);
   add(content.warnings);
   for (std::string& warning : warnings) notices.add(Notice::Kind::Warning, std::move(warning));
@@ -102,17 +111,37 @@ void AppState::takeSession(Opening& opening) {
 }
 
 std::string AppState::sessionTextFor(const std::filesystem::path& file) const {
+  return sessionTextOf(view, file);
+}
+
+std::string AppState::sessionTextLike(const ViewSettings& shown) const {
+  return sessionTextOf(shown, {});
+}
+
+std::string AppState::sessionTextOf(const ViewSettings& shown,
+                                    const std::filesystem::path& file) const {
   // As new as can be, unless another model has just come that this state knows nothing of yet.
   const std::shared_ptr<const Results> newest = session_.results();
   const Results& now = newest->meshVersion == meshVersion_ ? *newest : *results_;
   SessionFile session = sessionOf(model_, document(), now);
   // A flood that is under way will have been finished by the time it is looked at again.
   if (changing()) session.charts.taken = results_->mesh->faceCount();
-  session.view = viewValues(view);
+  session.view = viewValues(shown);
   session.view.insert(unknownView_.begin(), unknownView_.end());
   session.unknown = unknownInFile_;
-  if (file == keeper.recovery.file()) session.continues = keeper.file();
+  if (!file.empty() && file == keeper.recovery.file()) session.continues = keeper.file();
   return sessionText(session, file);
+}
+
+std::string AppState::modelWords(bool withFolder) const {
+  if (!model_.sample.empty()) {
+    const std::string size =
+        model_.triangles == 0 ? "" : " --triangles=" + std::to_string(model_.triangles);
+    return "--sample=" + model_.sample + size;
+  }
+  const std::filesystem::path file =
+      model_.file.empty() ? std::filesystem::path(results_->mesh->input().file) : model_.file;
+  return quotedArgument((withFolder ? file : file.filename()).string());
 }
 
 void AppState::keepWork(double seconds) {
@@ -301,16 +330,33 @@ void AppState::request(const std::optional<StepRequest>& step) {
 
 void AppState::open(const std::filesystem::path& file) {
   if (isSessionFile(file)) return openSession(readSession(file), file);
+  if (isPictureFile(file)) {
+    const std::filesystem::path model = findModel(modelOfPicture(file), file);
+    return openSession(readPictureSource(file, model).session, {});
+  }
   opening_.emplace().model.file = file;
   rememberFile(preferences, file);
   session_.open(file);
+}
+
+/// A model of this name: beside the picture, the one that is open, or one opened lately; "": none.
+std::filesystem::path AppState::findModel(const std::string& name,
+                                          const std::filesystem::path& picture) const {
+  if (name.empty()) return {};
+  std::vector<std::filesystem::path> places{picture.parent_path() / name, model_.file};
+  places.insert(places.end(), preferences.recentFiles.begin(), preferences.recentFiles.end());
+  std::error_code error;
+  for (const std::filesystem::path& place : places) {
+    if (place.filename() == name && std::filesystem::exists(place, error)) return place;
+  }
+  return {};
 }
 
 void AppState::openSession(SessionFile session, const std::filesystem::path& file,
                            const std::filesystem::path& recovered) {
   const SessionModel model = session.model;
   opening_ = Opening{model, std::move(session), file, recovered};
-  if (recovered.empty()) rememberFile(preferences, file);
+  if (recovered.empty() && !file.empty()) rememberFile(preferences, file);
   if (model.file.empty()) {
     session_.openSample(model.sample, model.triangles);
   } else {
@@ -350,7 +396,7 @@ void AppState::takeNotices() {
   for (Notice& notice : session_.takeNotices()) notices.add(notice.kind, std::move(notice.text));
 }
 
-std::string commandLine(const AppState& state) {
+std::string commandLine(const AppState& state, bool withFolder) {
   std::string text = "chartflood";
   for (const ParameterInfo& info : parameterTable()) {
     const ParameterValue value = parameterValue(state.document().parameters, info);
@@ -365,7 +411,7 @@ std::string commandLine(const AppState& state) {
     }
     text += " --seeds=" + faces;
   }
-  if (state.hasMesh()) text += ' ' + quotedArgument(state.results().mesh->input().file);
+  if (state.hasMesh()) text += ' ' + state.modelWords(withFolder);
   return text;
 }
 

@@ -81,12 +81,22 @@ struct SeedDrag {
   Index face = kNone;  ///< where it is now
 };
 
-/// A picture to be taken by whoever owns the renderer.
+/// A picture, or a row of them, to be taken by whoever owns the renderer.
 struct PictureRequest {
+  enum class Row { Single, Turntable, FloodFilm };
   std::filesystem::path file;  ///< "": the next free name in the folder of pictures
   PictureSettings settings;
   bool bare = false;     ///< without selection
   bool texture = false;  ///< the charts in the texture, at its size, instead of the view
+  Row row = Row::Single;
+};
+
+/// How far a row of pictures is.
+struct PictureRow {
+  PictureRequest::Row row = PictureRequest::Row::Single;  ///< Single: none is being taken
+  int done = 0, count = 0;
+
+  bool running() const { return row != PictureRequest::Row::Single; }
 };
 
 /// What only the window's owner can do; it takes these and clears them.
@@ -96,6 +106,7 @@ struct WindowRequests {
   bool seedInView = false;  ///< a seed is to be added where the middle of the view shows
   std::optional<std::string> clipboard;  ///< text to be copied
   std::vector<PictureRequest> pictures;
+  bool stopPictures = false;  ///< the row of pictures that is being taken is to end
 };
 
 class AppState {
@@ -162,13 +173,20 @@ class AppState {
 
   /// Asks the session for a step.
   void request(const std::optional<StepRequest>& step);
-  /// Opens a file or sample; plays one flood when it is there.
+  /// Opens a mesh file, session, or picture that holds one, or a sample; plays one flood of a mesh.
+  /// \throws ReadError for sessions and pictures
   void open(const std::filesystem::path& file);
   void openSample(const std::string& name, std::size_t triangles);
   /// Opens the session's model and goes on with it. `file` is where it is saved from now on.
   /// `recovered` is the copy it was read from when another process left it behind; it is unsaved.
   void openSession(SessionFile session, const std::filesystem::path& file,
                    const std::filesystem::path& recovered = {});
+  /// The text of a session without a target, see sessionText(), that looks like `shown`.
+  std::string sessionTextLike(const ViewSettings& shown) const;
+  /// The model as a command line names it: a file, or a sample with its size.
+  std::string modelWords(bool withFolder = true) const;
+  /// False for a sample.
+  bool modelIsFile() const { return model_.sample.empty(); }
   /// Writes the session. \throws WriteError
   void saveSession(const std::filesystem::path& file);
   /// True when changes of the document would be lost by ending now.
@@ -190,6 +208,7 @@ class AppState {
   PanelState panels;
   Notices notices;
   WindowRequests requests;
+  PictureRow pictureRow;  ///< kept up to date by whoever takes the pictures
   WorkKeeper keeper;
   std::optional<UserPreset> deletedPreset;  ///< can be brought back
   /// Writes the preferences where they are kept; nothing where they are not.
@@ -221,6 +240,9 @@ class AppState {
   void takeSession(Opening& opening);
   void keepWork(double seconds);
   std::string sessionTextFor(const std::filesystem::path& file) const;
+  std::string sessionTextOf(const ViewSettings& shown, const std::filesystem::path& file) const;
+  std::filesystem::path findModel(const std::string& name,
+                                  const std::filesystem::path& picture) const;
   void placeSeeds();
   void takeHints();
   void takeNotices();
@@ -244,6 +266,7 @@ class AppState {
 };
 
 /// A command line that gives the present parameters and model: what differs from the defaults.
-std::string commandLine(const AppState& state);
+/// Without its folder a file is named alone.
+std::string commandLine(const AppState& state, bool withFolder = true);
 
 }  // namespace chartflood

@@ -18,7 +18,8 @@ ChartedMesh chartedMesh(const Results& results) {
 }
 
 /// The colour of each chart, as the renderer gives them out.
-std::vector<std::uint32_t> chartColors(const Results& results, const std::string& palette) {
+std::vector<std::uint32_t> colorsOf(const Results& results, const std::string& palette,
+                                    std::span<const Index> kept) {
   const ChartPalette* wanted = findChartPalette(palette);
   if (wanted == nullptr) throw UsageError("There is no chart palette \"" + palette + "\".");
   const Segmentation& labels = *results.segmentation;
@@ -26,7 +27,9 @@ std::vector<std::uint32_t> chartColors(const Results& results, const std::string
   const ChartPalette& usual = chartPaletteTable().front();
   std::vector<Index> first(labels.chartCount);
   for (Index chart = 0; chart < first.size(); ++chart) {
-    first[chart] = chart % static_cast<Index>(usual.colors.size() - usual.reserve);
+    first[chart] = chart < kept.size()
+                       ? kept[chart]
+                       : chart % static_cast<Index>(usual.colors.size() - usual.reserve);
   }
   std::vector<std::uint32_t> colors;
   for (const Index number : colorCharts(labels.chartCount, neighbours, first, usual)) {
@@ -50,8 +53,9 @@ std::string exportedMesh(const Results& results, const std::filesystem::path& fi
 
 std::string exportedSeams(const Results& results) { return seamsText(chartedMesh(results)); }
 
-std::string exportedUvSvg(const Results& results, const std::string& palette) {
-  const std::vector<std::uint32_t> colors = chartColors(results, palette);
+std::string exportedUvSvg(const Results& results, const std::string& palette,
+                          std::span<const Index> chartColors) {
+  const std::vector<std::uint32_t> colors = colorsOf(results, palette, chartColors);
   return uvSvgText(chartedMesh(results), {.colors = colors});
 }
 

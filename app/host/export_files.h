@@ -2,6 +2,7 @@
 /// The files that charts laid flat are taken home in, for window and command line alike.
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "core/session/session.h"
@@ -18,7 +19,9 @@ std::string exportedMesh(const Results& results, const std::filesystem::path& fi
 /// Borders between charts and cuts as lines.
 std::string exportedSeams(const Results& results);
 
-/// The texture as SVG; charts in the colours of the palette with this id.
-std::string exportedUvSvg(const Results& results, const std::string& palette);
+/// The texture as SVG; charts in the colours of the palette with this id. `chartColors` are the
+/// numbers that they begin with, see Renderer::setChartColors(); may be empty.
+std::string exportedUvSvg(const Results& results, const std::string& palette,
+                          std::span<const Index> chartColors);
 
 }  // namespace chartflood

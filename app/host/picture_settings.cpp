@@ -101,6 +101,10 @@ std::vector<Row> makeRows() {
           switchRow("seeds", &S::seeds),
           switchRow("seams", &S::seams),
           switchRow("numbers", &S::numbers),
+          {"frames", [](const S& s) { return std::to_string(s.frames); },
+           [](S& s, std::string_view text) {
+             s.frames = readInteger("frames", text, S::kFewestFrames, S::kMostFrames);
+           }},
           textRow("name", &S::name),
           textRow("folder", &S::folder)};
 }

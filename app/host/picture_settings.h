@@ -19,10 +19,12 @@ struct PictureSettings {
   int smooth = 2;                   ///< samples a pixel in each direction: 1, 2 or 4
   std::string ground = "theme";     ///< theme, white, black, transparent
   bool legend = true, seeds = true, seams = true, numbers = true;  ///< kept where they are shown
+  int frames = 72;                                                 ///< of a turntable or a film
   std::string name = "{model}_{mode}_{n:3}.png";                   ///< "": this one
   std::string folder;  ///< "": the user's folder of pictures
 
   static constexpr int kLargestSide = 16384;
+  static constexpr int kFewestFrames = 2, kMostFrames = 10'000;
 
   bool operator==(const PictureSettings&) const = default;
 };

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "render/chart_palette.h"
 #include "render/color_map.h"
 
 namespace chartflood {
@@ -107,6 +108,40 @@ bool setGround(ViewSettings& view, const SessionValue& value) {
   return true;
 }
 
+/// A list of charts in the render settings, written down where it is not empty.
+ViewRow chartsRow(const char* name, std::vector<Index> RenderSettings::*member) {
+  return {name,
+          [=](const ViewSettings& view) {
+            const std::vector<Index>& charts = view.render.*member;
+            return SessionValue(Numbers(charts.begin(), charts.end()));
+          },
+          [=](ViewSettings& view, const SessionValue& value) {
+            const Numbers* list = std::get_if<Numbers>(&value);
+            const auto isChart = [](double x) { return x >= 0 && x < kNone && x == std::floor(x); };
+            const bool fits = list != nullptr && std::all_of(list->begin(), list->end(), isChart);
+            if (fits) (view.render.*member).assign(list->begin(), list->end());
+            return fits;
+          },
+          [=](const ViewSettings& view) { return !(view.render.*member).empty(); }};
+}
+
+SessionValue chartColorsOf(const ViewSettings& view) {
+  return Numbers(view.chartColors.begin(), view.chartColors.end());
+}
+
+bool setChartColors(ViewSettings& view, const SessionValue& value) {
+  const Numbers* list = std::get_if<Numbers>(&value);
+  if (list == nullptr || list->size() > kNone) return false;
+  std::vector<Index> numbers;
+  const auto most = static_cast<double>(chartPaletteTable().front().colors.size());
+  for (const double number : *list) {
+    if (!(number >= 0 && number < most) || number != std::floor(number)) return false;
+    numbers.push_back(static_cast<Index>(number));
+  }
+  view.chartColors = std::move(numbers);
+  return true;
+}
+
 std::vector<ViewRow> colorRows() {
   const auto colorMode = [](const ViewSettings& view) {
     return SessionValue(std::string(colorModeInfo(view.render.colorMode).id));
@@ -119,7 +154,24 @@ std::vector<ViewRow> colorRows() {
            setColorMap},
           {"range", range, setRange,
            [](const ViewSettings& view) { return view.render.range.has_value(); }},
-          {"background", groundOf, setGround}};
+          {"background", groundOf, setGround},
+          chartsRow("selected-charts", &RenderSettings::selectedCharts),
+          chartsRow("hidden-charts", &RenderSettings::hiddenCharts),
+          {"chart-colors", chartColorsOf, setChartColors,
+           [](const ViewSettings& view) { return !view.chartColors.empty(); }}};
+}
+
+/// Degrees that give the angle again, to the last bit.
+double exactDegrees(double angle) {
+  double degrees = glm::degrees(angle);
+  for (const double toward : {0.0, 360.0}) {
+    double near = degrees;
+    for (int step = 0; step < 4 && glm::radians(near) != angle; ++step) {
+      near = std::nextafter(near, toward);
+    }
+    if (glm::radians(near) == angle) return near;
+  }
+  return degrees;
 }
 
 /// Target, orientation (w, x, y, z), distance, field of view (degrees), in this order.
@@ -127,7 +179,7 @@ SessionValue cameraOf(const ViewSettings& view) {
   const Camera& c = view.camera;
   return Numbers{c.target.x,      c.target.y,      c.target.z,
                  c.orientation.w, c.orientation.x, c.orientation.y,
-                 c.orientation.z, c.distance,      glm::degrees(c.fieldOfView)};
+                 c.orientation.z, c.distance,      exactDegrees(c.fieldOfView)};
 }
 
 bool setCamera(ViewSettings& view, const SessionValue& value) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/index.h"
 #include "render/camera.h"
 #include "render/color_vision.h"
 #include "render/render_settings.h"
@@ -16,12 +17,13 @@ struct ViewSettings {
   Camera camera;
   UvStyle uv;
   UvCamera uvCamera;
-  bool isolate = false;                   ///< only the selected chart is shown
-  bool frameWhenLoaded = true;            ///< the camera has yet to be set up for a new model
-  std::vector<glm::dvec3> pointsToFrame;  ///< the camera has yet to come close to these
-  bool sphereLinked = true;               ///< the Gauss sphere turns with the model
+  std::vector<Index> chartColors;          ///< number of each chart's colour in the palette
+  bool isolate = false;                    ///< only the selected chart is shown
+  bool frameWhenLoaded = true;             ///< the camera has yet to be set up for a new model
+  std::vector<glm::dvec3> pointsToFrame;   ///< the camera has yet to come close to these
+  bool sphereLinked = true;                ///< the Gauss sphere turns with the model
   ColorVision vision = ColorVision::Full;  ///< pictures on the screen are shown as seen with it
-  Camera sphereCamera;                    ///< how it is seen otherwise; only the orientation counts
+  Camera sphereCamera;  ///< how it is seen otherwise; only the orientation counts
 };
 
 /// The colour modes whose values are computed, in the order of the menu.

@@ -33,6 +33,9 @@ Json parametersJson(const Parameters& parameters) {
 
 Json modelJson(const SessionModel& model, const std::filesystem::path& target) {
   if (model.file.empty()) return {{"sample", model.sample}, {"triangles", model.triangles}};
+  if (target.empty()) {
+    return {{"relative", model.file.filename().string()}, {"checksum", model.checksum}};
+  }
   std::error_code error;
   const auto file = std::filesystem::absolute(model.file, error).lexically_normal();
   const auto folder = std::filesystem::absolute(target, error).lexically_normal().parent_path();
@@ -171,11 +174,17 @@ void checkVersion(const Json& version, const std::string& name) {
   }
 }
 
-SessionModel readModel(Reader& reader, const std::filesystem::path& session) {
+/// Where the model of a session may be.
+struct ModelPlaces {
+  std::string relative, absolute;
+};
+
+/// The model as it is written down; its file is yet to be found.
+SessionModel readModel(Reader& reader, const std::string& session, ModelPlaces& places) {
   SessionModel model;
   model.sample = reader.text("sample");
   model.triangles = reader.count("triangles");
-  const std::string relative = reader.text("relative"), absolute = reader.text("file");
+  places = {reader.text("relative"), reader.text("file")};
   model.checksum = reader.text("checksum");
   if (!model.sample.empty()) {
     const auto samples = sampleTable();
@@ -183,27 +192,26 @@ SessionModel readModel(Reader& reader, const std::filesystem::path& session) {
       return model.sample == sample.id;
     });
     if (!known) {
-      throw ReadError(session.string(), "its sample '" + model.sample + "' is not known here");
+      throw ReadError(session, "its sample '" + model.sample + "' is not known here");
     }
-    return model;
   }
+  return model;
+}
+
+std::filesystem::path findModel(const ModelPlaces& places, const std::filesystem::path& session) {
+  const auto& [relative, absolute] = places;
   if (relative.empty() && absolute.empty()) {
     throw ReadError(session.string(), "it does not say which model it belongs to");
   }
   std::error_code error;
   const auto beside = (session.parent_path() / relative).lexically_normal();
   if (!relative.empty() && std::filesystem::exists(beside, error)) {
-    model.file = beside;
-  } else if (!absolute.empty() && std::filesystem::exists(absolute, error)) {
-    model.file = absolute;
-  } else {
-    std::string places = relative.empty() ? "" : beside.string();
-    if (!absolute.empty() && absolute != places) {
-      places += (places.empty() ? "" : " and ") + absolute;
-    }
-    throw ReadError(session.string(), "its model is not there any more; looked for " + places);
+    return beside;
   }
-  return model;
+  if (!absolute.empty() && std::filesystem::exists(absolute, error)) return absolute;
+  std::string looked = relative.empty() ? "" : beside.string();
+  if (!absolute.empty() && absolute != looked) looked += (looked.empty() ? "" : " and ") + absolute;
+  throw ReadError(session.string(), "its model is not there any more; looked for " + looked);
 }
 
 Parameters readParameters(Reader& reader) {
@@ -346,6 +354,27 @@ void keepUnknown(SessionFile& session, const Json& top,
                              "); it is kept when the session is saved again.");
 }
 
+/// `find` gives the model's file.
+template <class Find>
+SessionFile readText(std::string_view text, const std::string& name, const Find& find) {
+  SessionFile session;
+  Reader top(parseText(text, name), "", session.warnings);
+  checkVersion(top.take("chartflood-session"), name);
+  Reader model(top.part("model", false), "model/", session.warnings);
+  ModelPlaces places;
+  session.model = readModel(model, name, places);
+  if (session.model.sample.empty()) session.model.file = find(places);
+  Reader parameters(top.part("parameters", false), "parameters/", session.warnings);
+  session.parameters = readParameters(parameters);
+  session.seeds = readSeeds(top);
+  session.hints = readHints(top, session.warnings);
+  session.charts = readCharts(top, session.warnings);
+  session.view = readView(top);
+  session.continues = top.text("continues");
+  keepUnknown(session, top.rest(), {{"model", &model.rest()}, {"parameters", &parameters.rest()}});
+  return session;
+}
+
 }  // namespace
 
 std::string sessionText(const SessionFile& session, const std::filesystem::path& target) {
@@ -379,20 +408,13 @@ SessionFile readSession(const std::filesystem::path& file) {
     throw ReadError(name, "it is too large for a session file");
   }
   const FileBytes content(file);
-  SessionFile session;
-  Reader top(parseText(content.view(), name), "", session.warnings);
-  checkVersion(top.take("chartflood-session"), name);
-  Reader model(top.part("model", false), "model/", session.warnings);
-  session.model = readModel(model, file);
-  Reader parameters(top.part("parameters", false), "parameters/", session.warnings);
-  session.parameters = readParameters(parameters);
-  session.seeds = readSeeds(top);
-  session.hints = readHints(top, session.warnings);
-  session.charts = readCharts(top, session.warnings);
-  session.view = readView(top);
-  session.continues = top.text("continues");
-  keepUnknown(session, top.rest(), {{"model", &model.rest()}, {"parameters", &parameters.rest()}});
-  return session;
+  return readText(content.view(), name,
+                  [&](const ModelPlaces& places) { return findModel(places, file); });
+}
+
+SessionFile readSessionText(std::string_view text, const std::string& name,
+                            const std::filesystem::path& model) {
+  return readText(text, name, [&](const ModelPlaces&) { return model; });
 }
 
 }  // namespace chartflood

@@ -41,7 +41,8 @@ TEST(PictureSettings, LockedRatioTakesTheOtherSideAlong) {
 
 TEST(PictureSettings, EveryTextReadsBack) {
   PictureSettings settings, again;
-  settings = {"both", "own", 300, 200, false, 4, "white", false, false, true, false, "a", "/b c"};
+  settings = {"both", "own", 300,  200,   false, 4,   "white",
+              false,  false, true, false, 9,     "a", "/b c"};
   again.lockRatio = false;
   for (const std::string& key : pictureKeys()) {
     setPictureValue(again, key, pictureValue(settings, key));

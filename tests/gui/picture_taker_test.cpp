@@ -1,6 +1,11 @@
 // Pictures of the views, drawn without a window.
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -8,6 +13,7 @@
 #include "app/host/action_registry.h"
 #include "render/gl/offscreen_context.h"
 #include "render/image.h"
+#include "tests/support/run_program.h"
 
 namespace chartflood {
 
@@ -99,6 +105,92 @@ TEST_F(PictureTakerTest, TwiceTheSizeIsTwiceThePixels) {
   const Image image = picture("view=3d scale=2");
   EXPECT_EQ(image.width(), 320);
   EXPECT_EQ(image.height(), 240);
+}
+
+/// Rows of pictures, one a pass of the window.
+class PictureRowTest : public PictureTakerTest {
+ protected:
+  PictureRowTest() { state.preferences.picture.folder = folder.path().string(); }
+  /// Passes until the row has ended, 1000 at most.
+  void pass(int most = 1000) {
+    for (int i = 0; i < most; ++i) {
+      taker.update(state, scene, 1);
+      if (!state.pictureRow.running() && state.requests.pictures.empty()) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+  std::vector<std::filesystem::path> files(const std::string& name) {
+    std::vector<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path() / name)) {
+      found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  TemporaryFolder folder;
+  PictureTaker taker{[] {}};
+};
+
+TEST_F(PictureRowTest, ATurntableIsAWholeTurn) {
+  const Image start = picture("view=3d");
+  const Camera before = state.view.camera;
+  run("turntable 4");
+  pass();
+  const auto pictures = files("sphere_turntable");
+  ASSERT_EQ(pictures.size(), 4u);
+  EXPECT_EQ(pictures[0].filename(), "sphere_turntable_001.png");
+  EXPECT_EQ(readPng(pictures[0]), start);
+  EXPECT_NE(readPng(pictures[1]), start);
+  EXPECT_NE(readPng(pictures[2]), readPng(pictures[1]));
+  EXPECT_EQ(state.view.camera, before);
+}
+
+TEST_F(PictureRowTest, AFilmEndsWithTheCharts) {
+  const Image end = picture("view=3d");
+  run("flood-film 3");
+  pass();
+  const auto pictures = files("sphere_flood");
+  ASSERT_EQ(pictures.size(), 3u);
+  EXPECT_NE(readPng(pictures[0]), readPng(pictures[1]));
+  EXPECT_NE(readPng(pictures[1]), end);
+  EXPECT_EQ(readPng(pictures[2]), end);
+}
+
+TEST_F(PictureRowTest, AnotherRowGetsAFolderOfItsOwn) {
+  for (int i = 0; i < 2; ++i) {
+    run("turntable 2");
+    pass();
+  }
+  EXPECT_EQ(files("sphere_turntable").size(), 2u);
+  EXPECT_EQ(files("sphere_turntable_2").size(), 2u);
+}
+
+TEST_F(PictureRowTest, StopEndsTheRowAndKeepsWhatIsThere) {
+  run("turntable 500");
+  pass(5);
+  ASSERT_TRUE(state.pictureRow.running());
+  run("stop");
+  pass();
+  EXPECT_FALSE(state.pictureRow.running());
+  EXPECT_LT(files("sphere_turntable").size(), 20u);
+}
+
+TEST_F(PictureRowTest, OtherChartsEndTheRow) {
+  run("turntable 500");
+  pass(5);
+  run("set charts 3");
+  pass();
+  EXPECT_FALSE(state.pictureRow.running());
+  EXPECT_LT(files("sphere_turntable").size(), 20u);
+}
+
+TEST_F(PictureRowTest, ASecondRowIsRefusedMeanwhile) {
+  run("turntable 500");
+  pass(3);
+  EXPECT_FALSE(state.perform(actions, "flood-film"));
+  run("stop-pictures");
+  pass();
 }
 
 }  // namespace

@@ -51,6 +51,8 @@ void fileMenu(const Ui& ui) {
   actionMenuItem(ui, "export-report");
   ImGui::Separator();
   actionMenuItem(ui, "picture-dialog");
+  actionMenuItem(ui, "turntable");
+  actionMenuItem(ui, "flood-film");
   actionMenuItem(ui, "screenshot", "Picture as last time");
   actionMenuItem(ui, "screenshot bare=on", "Picture without helpers");
   ImGui::Separator();

@@ -112,6 +112,18 @@ void keepRow(const Ui& ui) {
   }
 }
 
+/// Pictures in a row: how many, and what they show.
+void rowsRow(const Ui& ui) {
+  rowLabel(ui, "In a row");
+  textField(ui, "frames", "", ui.px(62), false);
+  ImGui::SameLine(0, ui.px(6));
+  ImGui::TextUnformatted("pictures");
+  ImGui::SameLine(0, ui.px(14));
+  textButton(ui, "Turntable", "turntable", {ui.px(104), 0});
+  ImGui::SameLine(0, ui.px(8));
+  textButton(ui, "Flood film", "flood-film", {ui.px(104), 0});
+}
+
 void buttons(const Ui& ui) {
   const ImVec2 size{ui.px(104), 0};
   ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 3 * size.x - 2 * ui.px(8));
@@ -157,6 +169,7 @@ void pictureDialog(const Ui& ui) {
     textField(ui, "name", PictureSettings{}.name.c_str(), ImGui::GetContentRegionAvail().x, true);
     rowLabel(ui, "Folder");
     textField(ui, "folder", picturesFolder().c_str(), ImGui::GetContentRegionAvail().x, true);
+    rowsRow(ui);
     ImGui::Spacing();
     buttons(ui);
     const bool escape = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);

@@ -40,6 +40,11 @@ void workBar(const Ui& ui, const std::string& words, float fraction) {
 }
 
 void workState(const Ui& ui) {
+  if (const PictureRow& row = ui.state.pictureRow; row.running()) {
+    const std::string what = row.row == PictureRequest::Row::Turntable ? "Turntable " : "Film ";
+    return workBar(ui, what + std::to_string(row.done) + '/' + std::to_string(row.count),
+                   static_cast<float>(row.done) / static_cast<float>(row.count));
+  }
   const WorkStatus& status = ui.state.status();
   if (status.busy && status.seconds > kQuietSeconds) {
     return workBar(ui, *status.phase == '\0' ? "Working" : status.phase, status.fraction);

@@ -1,0 +1,201 @@
+// A picture that the window saved, and the one that the command line makes of it: the same pixels.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/cli/batch.h"
+#include "app/cli/options.h"
+#include "app/gui/picture_taker.h"
+#include "app/host/action_registry.h"
+#include "core/base/error.h"
+#include "core/io/file_output.h"
+#include "render/gl/offscreen_context.h"
+#include "render/image.h"
+#include "tests/support/run_program.h"
+
+namespace chartflood {
+
+namespace {
+
+class SamePicture : public ::testing::Test {
+ protected:
+  SamePicture() {
+    state.preferences.picture.smooth = 1;
+    state.preferences.askUnsaved = false;
+    state.panels.viewWidth = 180;
+    state.panels.viewHeight = 130;
+    state.playback.setSpeed(2 * Playback::kFastest);
+    state.view.render.background = backgroundFromText("#203040");
+  }
+  void settle() {
+    for (int i = 0; i < 20; ++i) {
+      state.update(1.0 / 60);
+      live.prepare(state);
+      const std::vector<Index> numbers = live.chartColorNumbers(state);
+      if (!numbers.empty()) state.view.chartColors = numbers;
+    }
+  }
+  void run(std::string_view line) {
+    ASSERT_TRUE(state.perform(actions, line)) << line;
+    settle();
+  }
+  void openModel() {
+    const std::string file = (folder.path() / "model.obj").string();
+    call({"--sample=bumps", "--triangles=500", "--layout=square", "--export-mesh=" + file});
+    run("open " + file);
+    frameModel();
+  }
+  /// As the scene panel does.
+  void frameModel() {
+    state.view.camera.frame(state.results().mesh->positions(), 180.0 / 130);
+    state.view.frameWhenLoaded = false;
+  }
+  void call(std::vector<std::string> words) { runBatch(readOptions(words)); }
+
+  /// Takes a picture as set, makes it again, and looks at both.
+  void expectTheSame(const std::string& how, std::vector<std::string> words = {}) {
+    const std::string first = (folder.path() / (std::to_string(++count) + ".png")).string();
+    const std::string again = (folder.path() / "again.png").string();
+    ASSERT_TRUE(state.perform(actions, "screenshot " + how + " file=" + first));
+    {
+      PictureTaker taker([] {});
+      taker.update(state, scene, 1);
+    }  // waits for the file
+    words.push_back("--output=" + again);
+    if (words.size() == 1) words.insert(words.begin(), first);
+    for (std::string& word : words) {
+      if (word == "--like") word += "=" + first;
+    }
+    call(words);
+    const Image before = readPng(first), after = readPng(again);
+    ASSERT_EQ(before.width(), after.width());
+    ASSERT_EQ(before.height(), after.height());
+    EXPECT_EQ(compareImages(before, after).differentPixels, 0u) << how;
+  }
+
+  TemporaryFolder folder;
+  std::unique_ptr<gl::Context> context =
+      gl::createOffscreenContext(gl::offscreenBackendFromId("auto"));
+  gl::CurrentScope current{*context};
+  AppState state{Session::Worker::Inline};
+  ActionRegistry actions = makeActionRegistry();
+  SceneView live{[] {}};
+  CompareScene scene{live, [] {}};
+  int count = 0;
+};
+
+TEST_F(SamePicture, OfChartsWhoseSeedsWereMoved) {
+  openModel();
+  run("set charts 7");
+  run("add-seed 40");
+  run("seeds on");
+  run("numbers on");
+  expectTheSame("view=3d");
+}
+
+TEST_F(SamePicture, WithTheColoursThatChartsHaveKept) {
+  openModel();
+  for (const char* more : {"set charts 30", "set charts 9", "set charts 14"}) run(more);
+  expectTheSame("view=3d");
+}
+
+TEST_F(SamePicture, OfValuesFromAnotherSide) {
+  openModel();
+  state.view.camera.orbit(0.7, 0.3);
+  run("color-mode gauss-face");
+  run("seams off");
+  expectTheSame("view=3d scale=2");
+}
+
+TEST_F(SamePicture, OfAFloodUnderWay) {
+  openModel();
+  run("seek 200");
+  ASSERT_FALSE(state.showsFinal());
+  expectTheSame("view=3d");
+}
+
+TEST_F(SamePicture, OfTheTexture) {
+  openModel();
+  run("unwrap");
+  ASSERT_TRUE(state.results().flat);
+  state.view.uvCamera.zoom(2, {0.1, 0.2}, {180, 130});
+  expectTheSame("view=uv");
+}
+
+TEST_F(SamePicture, OfModelAndTexture) {
+  openModel();
+  run("unwrap");
+  expectTheSame("view=both");
+}
+
+TEST_F(SamePicture, OfAChartAlone) {
+  openModel();
+  run("select-chart 3");
+  run("isolate on");
+  expectTheSame("view=3d");
+}
+
+TEST_F(SamePicture, OfASample) {
+  run("sample bumps 600");
+  frameModel();
+  expectTheSame("view=3d");
+}
+
+TEST_F(SamePicture, OfAModelThatWasMoved) {
+  openModel();
+  run("set charts 5");
+  std::filesystem::create_directory(folder.path() / "elsewhere");
+  const std::string moved = (folder.path() / "elsewhere" / "model.obj").string();
+  writeFileAtomically(moved, readAll(folder.path() / "model.obj"));
+  expectTheSame("view=3d", {moved, "--like"});
+}
+
+TEST_F(SamePicture, SaysNothingOfTheUsersFolders) {
+  openModel();
+  const std::string file = (folder.path() / "1.png").string();
+  run("screenshot file=" + file);
+  {
+    PictureTaker taker([] {});
+    taker.update(state, scene, 1);
+  }
+  ImageTexts texts;
+  readPng(file, &texts);
+  ASSERT_GE(texts.size(), 4u);
+  for (const auto& [key, value] : texts) {
+    EXPECT_EQ(value.find(folder.path().string()), std::string::npos) << key << ": " << value;
+  }
+}
+
+TEST_F(SamePicture, OpensInTheWindowAsTheStateThatItShows) {
+  openModel();
+  run("set charts 6");
+  run("color-mode balance");
+  const std::string file = (folder.path() / "1.png").string();
+  run("screenshot file=" + file);
+  {
+    PictureTaker taker([] {});
+    taker.update(state, scene, 1);
+  }
+  const std::vector<Index> labels = state.results().segmentation->label;
+  run("set charts 11");
+  run("color-mode charts");
+  run("open " + file);
+  EXPECT_EQ(state.document().parameters.charts, 6);
+  EXPECT_EQ(state.results().segmentation->label, labels);
+  EXPECT_EQ(state.view.render.colorMode, ColorMode::Balance);
+  EXPECT_TRUE(state.keeper.file().empty());
+}
+
+TEST_F(SamePicture, NotOfPicturesFromElsewhere) {
+  const std::string file = (folder.path() / "other.png").string();
+  writePng(Image(4, 4), file);
+  EXPECT_THROW(readOptions(std::vector<std::string>{file}), ReadError);
+  EXPECT_FALSE(state.perform(actions, "open " + file));
+}
+
+}  // namespace
+
+}  // namespace chartflood
