@@ -129,7 +129,7 @@ void Pipeline::reviseSeeds(const Document& before) {
   // Seeds that only moved keep their charts' offsets: the others' borders stay about where they
   // are.
   // Seeds that were dropped because of fewer charts leave the others where the rounds took them.
-  const Document followed = withFittingSeeds(before, {now, before.seeds});
+  const Document followed = withFittingSeeds(before, {now, before.seeds, before.hints});
   const std::vector<Index> old = seeds_;
   if (document_.seeds != before.seeds && document_.seeds != followed.seeds) seeds_ = placed;
   // What one method's rounds arrived at is no beginning for another's.

@@ -38,7 +38,9 @@ TEST_F(Runs, TheBestSeedIsWhatItGivesAlone) {
   const chartflood::Run& chosen = best->seedRuns->runs[best->seedRuns->chosen];
   EXPECT_EQ(chosen.results->segmentation->label, best->segmentation->label);
   for (const chartflood::Run& run : best->seedRuns->runs) {
-    if (run.spread.value_or(0) <= 0.02) EXPECT_LE(chosen.seams, run.seams);
+    if (run.spread.value_or(0) <= 0.02) {
+      EXPECT_LE(chosen.seams, run.seams);
+    }
   }
   Document alone = withSeeds(1);
   alone.parameters.rngSeed = chosen.parameters.rngSeed;
@@ -80,7 +82,9 @@ TEST_F(Runs, TheFewestChartsStretchNoMoreThanAllowed) {
   EXPECT_LE(chosen.stretch, 1.05);
   EXPECT_GT(chosen.charts, 1u);
   for (const chartflood::Run& run : set->runs) {
-    if (run.charts < chosen.charts) EXPECT_GT(run.stretch, 1.05);
+    if (run.charts < chosen.charts) {
+      EXPECT_GT(run.stretch, 1.05);
+    }
   }
   EXPECT_TRUE(std::is_sorted(set->runs.begin(), set->runs.end(),
                              [](const auto& a, const auto& b) { return a.charts < b.charts; }));

@@ -28,7 +28,7 @@ TEST(Document, FewerSeedsDropTheNewestUnlocked) {
 }
 
 TEST(Document, SeedsFollowFewerChartsAndAnotherRoll) {
-  const Document before{{}, {{1}, {2, true}, {3}}};
+  const Document before{{}, {{1}, {2, true}, {3}}, {}};
   Document fewer = before;
   fewer.parameters.charts = 2;
   EXPECT_EQ(withFittingSeeds(before, fewer).seeds, (Seeds{{1}, {2, true}}));
