@@ -77,6 +77,13 @@ void FloodRounds::restartFlood() {
   options_.onFlood(start);
 }
 
+std::shared_ptr<const FloodRecord> FloodRounds::replay(std::size_t iteration, Progress& progress) {
+  CF_CHECK(iteration < history_.size());
+  progress.beginPhase("Flooding an earlier round again");
+  auto record = std::make_shared<FloodRecord>(mesh().faceCount());
+  return floodAside(history_[iteration], record, &progress) ? record : nullptr;
+}
+
 /// Repeats a step until it is done, cancelled, or everything is finished.
 template <class Step>
 StepOutcome FloodRounds::repeat(std::size_t count, const Progress& progress, const Step& step) {
@@ -145,14 +152,16 @@ void FloodRounds::judgeRound() {
   bestLabel_ = labels();
 }
 
-/// Adopts the best round and refines its borders.
+/// Adopts the round to be kept and refines its borders.
 bool FloodRounds::finish(Progress& progress) {
   if (phase_ == Phase::Flooded) {
+    const std::size_t kept = options_.keepLast ? history_.size() - 1 : best_;
     // The log of the present flood must be the one of the labels that are shown.
-    if (record_ && best_ != iteration_ && !floodAgain(best_, progress)) return false;
-    standAt(history_[best_]);
-    iteration_ = best_;
-    finalLabel_ = bestLabel_;
+    const bool again = kept != iteration_ && (record_ || options_.keepLast);
+    if (again && !floodAgain(kept, progress)) return false;
+    finalLabel_ = options_.keepLast ? labels() : bestLabel_;
+    standAt(history_[kept]);
+    iteration_ = kept;
     phase_ = Phase::Refining;
   }
   if (!refiner_) {

@@ -30,6 +30,7 @@ class FloodRounds : public Stepper {
   bool finished() const final { return phase_ == Phase::Done; }
   StepOutcome adopt(std::size_t iteration, Progress& progress) final;
   void restartFlood() final;
+  std::shared_ptr<const FloodRecord> replay(std::size_t iteration, Progress& progress) final;
 
  protected:
   /// What a round is worth.
@@ -63,6 +64,9 @@ class FloodRounds : public Stepper {
   virtual std::size_t takeNext() = 0;
   /// A round of the history becomes present.
   virtual void standAt(const IterationSummary& round) = 0;
+  /// Floods a round of the history again, away from the flood at hand. False when cancelled.
+  virtual bool floodAside(const IterationSummary& round, std::shared_ptr<FloodRecord> record,
+                          Progress* progress) const = 0;
 
   virtual const char* phaseName() const = 0;  ///< of a flood, for the user
 
@@ -70,7 +74,7 @@ class FloodRounds : public Stepper {
   enum class Phase {
     Flooding,  ///< a flood is ready or under way
     Flooded,   ///< a round is done and judged, the next one planned
-    Refining,  ///< the best round is chosen and its borders are being refined
+    Refining,  ///< the round to be kept is chosen and its borders are being refined
     Done,
   };
 

@@ -82,6 +82,15 @@ class GrowthFlood {
     return takes_ - before;
   }
 
+  /// A whole flood from `start` with the same rules, this one stays as it is. False when cancelled.
+  bool aside(const GrowthStart& start, std::shared_ptr<FloodRecord> record,
+             Progress* progress) const {
+    GrowthFlood flood = *this;
+    flood.start(start, std::move(record));
+    flood.advance(graph_.faces.size(), progress);
+    return flood.finished();
+  }
+
   bool finished() const { return takes_ == graph_.faces.size(); }
   std::size_t taken() const { return takes_; }
   const GrowthGraph& graph() const { return graph_; }

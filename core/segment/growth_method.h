@@ -26,6 +26,9 @@ class GrowthMethod {
   virtual void start(const GrowthStart& start, std::shared_ptr<FloodRecord> record) = 0;
   virtual std::size_t advance(std::size_t count, Progress* progress) = 0;
   virtual bool finished() const = 0;
+  /// A whole flood from `start`, away from the one at hand. False when cancelled.
+  virtual bool floodAside(const GrowthStart& start, std::shared_ptr<FloodRecord> record,
+                          Progress* progress) const = 0;
   virtual std::size_t taken() const = 0;
   virtual const std::vector<GrowthFace>& faces() const = 0;
 

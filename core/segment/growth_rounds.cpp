@@ -48,6 +48,10 @@ class GrowthRounds final : public FloodRounds {
     return label;
   }
   const char* phaseName() const override { return "Growing charts"; }
+  bool floodAside(const IterationSummary& round, std::shared_ptr<FloodRecord> record,
+                  Progress* progress) const override {
+    return method_->floodAside({round.seeds, round.normals}, std::move(record), progress);
+  }
 
   IterationSummary measure() override {
     cost_ = method_->measure(start_);

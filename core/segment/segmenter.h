@@ -63,6 +63,9 @@ class Stepper {
   virtual StepOutcome adopt(std::size_t iteration, Progress& progress) = 0;
   /// Begins the present flood again: same seeds and offsets, nothing taken.
   virtual void restartFlood() = 0;
+  /// The log of a finished round made once more, for looking at; the present state stays as it is.
+  /// Null when cancelled.
+  virtual std::shared_ptr<const FloodRecord> replay(std::size_t iteration, Progress& progress) = 0;
 };
 
 /// What every method starts from. The parts are shared, so steppers outlive a change of mesh.
@@ -136,6 +139,7 @@ struct SegmentOptions {
   std::size_t patience = 10;
   bool detectCycles = true;
   std::size_t settle = 4;  ///< rounds without gain that end balancing with seeds at rest
+  bool keepLast = false;   ///< the last round is kept at the end, not the best one
   RefineOptions refine;
   VsaOptions vsa;
   McgimOptions mcgim;

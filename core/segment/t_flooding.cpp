@@ -48,6 +48,13 @@ class TFlooding final : public FloodRounds {
     return label;
   }
   const char* phaseName() const override { return "Flooding"; }
+  bool floodAside(const IterationSummary& round, std::shared_ptr<FloodRecord> record,
+                  Progress* progress) const override {
+    const auto flood = makeFlood(*inputs().floodGraph, round.seeds.size());
+    flood->start(round.seeds, round.offsets, options().lookahead, std::move(record));
+    flood->advance(mesh().faceCount(), progress);
+    return flood->finished();
+  }
 
   IterationSummary measure() override {
     areas_ = chartAreas(mesh(), *inputs().gaussArea, faceGauss(), labels(), seeds_.size());

@@ -35,6 +35,10 @@ class Vsa final : public GrowthMethod {
   std::size_t advance(std::size_t count, Progress* progress) override {
     return flood_.advance(count, progress);
   }
+  bool floodAside(const GrowthStart& start, std::shared_ptr<FloodRecord> record,
+                  Progress* progress) const override {
+    return flood_.aside(start, std::move(record), progress);
+  }
   bool finished() const override { return flood_.finished(); }
   std::size_t taken() const override { return flood_.taken(); }
   const std::vector<GrowthFace>& faces() const override { return flood_.graph().faces; }

@@ -26,6 +26,7 @@ struct Parameters {
   double maxStretch = 1.1;            ///< max-stretch: L2 that charts=auto allows
   int maxIterations = 60;             ///< max-iterations
   int patience = 10;                  ///< patience: n of section 3.4
+  std::string keep = "best";          ///< keep: which round is kept at the end
   bool detectCycles = true;           ///< detect-cycles
   int settle = 4;                     ///< settle: rounds without gain, seeds at rest
   std::string vsaSeeding = "one-by-one";  ///< vsa-seeding

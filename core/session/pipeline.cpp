@@ -70,6 +70,8 @@ void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds
   ++meshVersion_;
   timing_ = {.read = readMilliseconds};
   stepper_.reset();
+  flood_.reset();
+  floods_.clear();
   segmentation_.reset();
   stats_.reset();
   flat_ = shownFlat_ = {};
@@ -192,6 +194,7 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   const Clock::time_point start = Clock::now();
   const bool toTheEnd = keepFinal || otherMethod;
   stepper_->advance(toTheEnd ? StepUnit::Converged : StepUnit::Flood, 1, progress);
+  keepFlood();
   timing_.segment = millisecondsSince(start);
   return true;
 }
@@ -228,6 +231,7 @@ void Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
   } else if (moment.taken > 0) {
     stepper_->advance(StepUnit::Face, moment.taken, progress);
   }
+  keepFlood();
   timing_.segment = millisecondsSince(start);
 }
 
@@ -235,6 +239,7 @@ void Pipeline::takeLocks(Progress& progress) {
   const std::size_t taken = stepper_->record() ? stepper_->record()->size() : mesh_->faceCount();
   makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
   if (taken > 0) stepper_->advance(StepUnit::Face, taken, progress);
+  keepFlood();
 }
 
 std::optional<std::uint32_t> Pipeline::wantsCreases() const {
@@ -266,6 +271,7 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   options.patience = static_cast<std::size_t>(p.patience);
   options.detectCycles = p.detectCycles;
   options.settle = static_cast<std::size_t>(p.settle);
+  options.keepLast = p.keep == "last";
   options.refine = refineOptions(p);
   options.refine.sideFactor = hintFactors(*mesh_, document_.hints);
   options.vsa = {vsaSeeding(p.vsaSeeding), p.vsaTeleport};
@@ -274,6 +280,10 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   onFlood_ = std::make_shared<std::function<void(const FloodStart&)>>(
       [this](const FloodStart& start) { noteFlood(start); });
   options.onFlood = [told = onFlood_](const FloodStart& start) { (*told)(start); };
+  stepper_.reset();
+  flood_.reset();
+  floods_.clear();
+  roundsSeen_ = 0;
   const SegmentInputs inputs{mesh_, gauss_, graph_};
   creases_ = creases;
   stepper_ =
@@ -282,7 +292,21 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   tellChartCount();
 }
 
+void Pipeline::keepFlood() {
+  if (!stepper_ || !flood_) return;
+  const std::size_t rounds = stepper_->history().size();
+  // A flood that was begun again ends as a new round.
+  const std::size_t round = rounds > roundsSeen_ ? rounds - 1 : floodRound_;
+  roundsSeen_ = rounds;
+  if (round >= rounds || flood_->size() < flood_->capacity()) return;
+  floodRound_ = round;
+  floods_.keep(round, flood_, stepper_->bestIteration());
+}
+
 void Pipeline::noteFlood(const FloodStart& start) {
+  keepFlood();
+  flood_ = start.record;
+  floodRound_ = start.iteration;
   seeds_.assign(start.seeds.begin(), start.seeds.end());
   offsets_.assign(start.offsets.begin(), start.offsets.end());
   normals_.assign(start.normals.begin(), start.normals.end());
@@ -299,6 +323,7 @@ StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress)
     takeLocks(progress);
   }
   const StepOutcome outcome = stepper_->advance(unit, count, progress);
+  keepFlood();
   timing_.segment += millisecondsSince(start);
   if (outcome == StepOutcome::Finished) tellOutcome();
   return outcome;
@@ -317,7 +342,20 @@ void Pipeline::resetSeeds() {
 
 StepOutcome Pipeline::adopt(std::size_t iteration, Progress& progress) {
   if (!stepper_ || iteration >= stepper_->history().size()) return StepOutcome::Advanced;
-  return stepper_->adopt(iteration, progress);
+  const StepOutcome outcome = stepper_->adopt(iteration, progress);
+  keepFlood();
+  return outcome;
+}
+
+void Pipeline::recall(std::size_t iteration, Progress& progress) {
+  if (!stepper_ || iteration >= stepper_->history().size()) return;
+  const auto kept = floods_.records();
+  std::shared_ptr<const FloodRecord> record = iteration < kept.size() ? kept[iteration] : nullptr;
+  if (!record) record = stepper_->replay(iteration, progress);
+  if (record) return floods_.recall(iteration, std::move(record));
+  if (progress.cancelled()) return;
+  tell(Notice::Kind::Info, "The steps of round " + std::to_string(iteration + 1) +
+                               " are no longer kept; use the round to see its charts.");
 }
 
 void Pipeline::measure() {
@@ -429,11 +467,24 @@ void Pipeline::report(Results& results) const {
   results.placed = document_.seeds;
   results.seedRuns = seedRuns_;
   results.chartRuns = chartRuns_;
-  if (!stepper_) return;
+  if (stepper_) reportRounds(results);
+}
+
+void Pipeline::reportRounds(Results& results) const {
+  if (!stepper_) {  // one is being made
+    results.history.clear();
+    results.floods.clear();
+    results.bestIteration = 0;
+    results.stopReason = StopReason::NotStopped;
+    return;
+  }
   results.history.assign(stepper_->history().begin(), stepper_->history().end());
   results.bestIteration = stepper_->bestIteration();
   results.stopReason = stepper_->stopReason();
   results.seamRecord = stepper_->seamRecord();
+  results.floods.assign(floods_.records().begin(), floods_.records().end());
+  results.floods.resize(results.history.size());
+  results.recordIteration = floodRound_;
 }
 
 void Pipeline::tellChartCount() {
@@ -464,7 +515,7 @@ void Pipeline::tellOutcome() {
   if (creases_) return tell(Notice::Kind::Info, "Charts begin from the model's creases.");
   const auto rounds = std::to_string(stepper_->history().size());
   const auto kept =
-      "round " + std::to_string(stepper_->bestIteration() + 1) + " of " + rounds + " is kept.";
+      "round " + std::to_string(stepper_->state()->iteration + 1) + " of " + rounds + " is kept.";
   switch (stepper_->stopReason()) {
   case StopReason::Converged:
     return tell(Notice::Kind::Info, "Stopped: all seeds rest; " + kept);

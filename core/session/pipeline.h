@@ -13,6 +13,7 @@
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "core/segment/segmenter.h"
+#include "core/session/flood_history.h"
 #include "core/session/parameters.h"
 #include "core/session/run_set.h"
 #include "core/session/session.h"
@@ -46,6 +47,8 @@ class Pipeline {
   /// Forgets the present seeds: the next flood begins from the first ones.
   void resetSeeds();
   StepOutcome adopt(std::size_t iteration, Progress& progress);
+  /// Makes the dropped log of a finished round again, for looking at; tells when it cannot.
+  void recall(std::size_t iteration, Progress& progress);
 
   /// Takes a picture of the present labels and measures their charts.
   void measure();
@@ -68,6 +71,8 @@ class Pipeline {
   bool findChartCount(Progress& progress);
   /// Copies what is known into `results`, the labels and figures as last measured.
   void report(Results& results) const;
+  /// The part of report() that tells of the rounds of the run.
+  void reportRounds(Results& results) const;
   /// True when charts are shown that later values have made stale.
   bool stale() const { return segmentation_ != nullptr && stepper_ == nullptr; }
 
@@ -114,6 +119,8 @@ class Pipeline {
   /// Begins again where the stepper stands, so that the next rounds know of changed locks.
   void takeLocks(Progress& progress);
   void noteFlood(const FloodStart& start);
+  /// Keeps the log of the last flood where that is done.
+  void keepFlood();
   void tell(Notice::Kind kind, std::string text) const;
   void tellChartCount();
   void tellOutcome();
@@ -138,6 +145,10 @@ class Pipeline {
   std::optional<std::uint32_t> creases_;     ///< the stepper's charts are from creases
   std::shared_ptr<const RunSet> seedRuns_;   ///< of the present charts
   std::shared_ptr<const RunSet> chartRuns_;  ///< of the mesh
+  std::shared_ptr<const FloodRecord> flood_;  ///< log of the last flood
+  std::size_t floodRound_ = 0;                ///< that it was begun as
+  std::size_t roundsSeen_ = 0;                ///< rounds of the stepper's history at the last look
+  FloodHistory floods_;
   Timing timing_;
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;

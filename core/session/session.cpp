@@ -161,6 +161,13 @@ class Session::Engine {
     });
   }
 
+  void recall(std::size_t iteration) {
+    add(JobQueue::Kind::Step, [this, iteration](Progress& progress) {
+      pipeline_.recall(iteration, progress);
+      publish(false);
+    });
+  }
+
   Pipeline& pipeline() { return pipeline_; }
   void stop() { queue_.cancelAll(); }
   void waitIdle() { queue_.waitIdle(); }
@@ -238,11 +245,12 @@ class Session::Engine {
       std::lock_guard lock(mutex_);
       auto next = std::make_shared<Results>(*results_);
       next->record = start.record;
-      next->recordIteration = start.iteration;
       next->seeds.assign(start.seeds.begin(), start.seeds.end());
       next->offsets.assign(start.offsets.begin(), start.offsets.end());
       next->normals.assign(start.normals.begin(), start.normals.end());
       next->creases = start.creases;
+      pipeline_.reportRounds(*next);
+      next->recordIteration = start.iteration;
       next->finished = false;
       ++next->version;
       results_ = std::move(next);
@@ -344,6 +352,8 @@ void Session::adoptIteration(std::size_t iteration) {
     engine->pipeline().adopt(iteration, progress);
   });
 }
+
+void Session::recallRound(std::size_t iteration) { engine_->recall(iteration); }
 
 std::shared_ptr<const Results> Session::results() const { return engine_->results(); }
 WorkStatus Session::status() const { return engine_->status(); }

@@ -62,6 +62,8 @@ struct Results {
   /// Steps of the seam cuts from the flooded labels to the final ones; null when there were none.
   std::shared_ptr<const SeamRecord> seamRecord;
   std::vector<IterationSummary> history;
+  /// Logs of the rounds of `history`; null where one was dropped, see recallRound().
+  std::vector<std::shared_ptr<const FloodRecord>> floods;
   std::size_t bestIteration = 0;
   StopReason stopReason = StopReason::NotStopped;
   bool finished = false;                    ///< a stop rule has fired and the borders were finished
@@ -144,6 +146,9 @@ class Session {
   /// Adopts the labels of a finished round as the state (they are flooded again: floods are
   /// deterministic), so that stepping goes on from there.
   void adoptIteration(std::size_t iteration);
+  /// Floods a finished round whose log was dropped once more, so that it can be looked at; the
+  /// state stays. A notice says so where the method cannot.
+  void recallRound(std::size_t iteration);
 
   /// The newest results, never null. Cheap; call once a frame.
   std::shared_ptr<const Results> results() const;

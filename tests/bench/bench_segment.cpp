@@ -21,6 +21,7 @@
 #include "core/io/samples.h"
 #include "core/model/build_mesh.h"
 #include "core/segment/border_moves.h"
+#include "core/segment/flood_cursor.h"
 #include "core/segment/registry.h"
 #include "core/segment/seam_cuts.h"
 #include "core/segment/seeds.h"
@@ -122,6 +123,21 @@ void oneFlood(benchmark::State& state, const std::string& name) {
   state.counters["pops/face"] = static_cast<double>(flood->counts().pops) / p.faces();
 }
 
+/// There and back over a whole log.
+void cursor(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  const auto record = std::make_shared<FloodRecord>(p.in.mesh->faceCount());
+  const auto flood = makeFlood(*p.in.floodGraph, p.seeds.size());
+  flood->start(p.seeds, p.offsets, true, record);
+  flood->advance(kAll, nullptr);
+  FloodCursor cursor(p.in.mesh, p.in.gaussArea);
+  for (auto _ : state) {
+    cursor.go(record, record->size());
+    cursor.go(record, 0);
+  }
+  perFace(state, p);
+}
+
 void reposition(benchmark::State& state, const std::string& name) {
   const Prepared& p = prepared(name);
   const auto flood = makeFlood(*p.in.floodGraph, p.seeds.size());
@@ -190,6 +206,7 @@ void registerAll(const std::string& mesh) {
                                                   {"flood_graph", floodGraph},
                                                   {"seeds", seeds},
                                                   {"flood", oneFlood},
+                                                  {"cursor", cursor},
                                                   {"reposition", reposition},
                                                   {"moves", borderMoves},
                                                   {"cuts", seamCuts},

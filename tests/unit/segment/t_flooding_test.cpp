@@ -256,5 +256,31 @@ TEST_P(BalanceGoal, IsReachedWithDefaults) {
   EXPECT_LE(balanceOf(state->areas.gaussArea).stdOverMean(), GetParam().stdOverMean);
 }
 
+TEST(TFloodingReplay, GivesTheLogOfAnEarlierRoundAndLeavesTheStateAlone) {
+  SegmentOptions options;
+  options.charts = 7;
+  const auto stepper =
+      findSegmenter("t-flooding")->make(inputsOf(test::sampleMesh("rocket", 1000)), options);
+  Progress progress;
+  std::vector<std::shared_ptr<const FloodRecord>> logs;
+  for (int round = 0; round < 3; ++round) {
+    stepper->advance(StepUnit::Flood, 1, progress);
+    logs.push_back(stepper->record());
+  }
+  stepper->advance(StepUnit::Face, 50, progress);
+  const auto before = stepper->record();
+  for (std::size_t round = 0; round < logs.size(); ++round) {
+    const auto again = stepper->replay(round, progress);
+    ASSERT_EQ(again->size(), logs[round]->size());
+    for (std::size_t i = 0; i < again->size(); ++i) {
+      ASSERT_EQ((*again)[i].face, (*logs[round])[i].face);
+      ASSERT_EQ((*again)[i].chart, (*logs[round])[i].chart);
+      ASSERT_EQ((*again)[i].time, (*logs[round])[i].time);
+    }
+  }
+  EXPECT_EQ(stepper->record(), before);
+  EXPECT_EQ(before->size(), 50u);
+}
+
 }  // namespace
 }  // namespace chartflood

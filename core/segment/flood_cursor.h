@@ -1,0 +1,65 @@
+#pragma once
+/// Labels and Gauss areas of the charts at any moment of a flood's log.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/model/flood_record.h"
+#include "core/model/gauss_area.h"
+#include "core/model/mesh.h"
+
+namespace chartflood {
+
+/// Stands at a moment and goes to another by taking or giving back the faces between them. Areas
+/// are counted as in chartAreas() (paper equation 2), in whole units of 2^-40 sr: sums of whole
+/// numbers do not depend on the way that led to a moment.
+class FloodCursor {
+ public:
+  /// Dry at first. Cost: linear.
+  FloodCursor(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const GaussArea> gauss);
+
+  /// To the moment after the first `step` faces of `record`; null: all dry. Cost: the steps between
+  /// two moments of one record, else `step` and what was taken before.
+  void go(const std::shared_ptr<const FloodRecord>& record, std::size_t step);
+
+  std::size_t step() const { return step_; }
+  /// Chart of each face, kNone while dry.
+  std::span<const Index> labels() const { return label_; }
+  /// Charts that have taken a face since the record was begun: their numbers are below this.
+  std::size_t chartCount() const { return faces_.size(); }
+  std::size_t faces(std::size_t chart) const { return faces_[chart]; }
+  /// Sides of the chart's faces with a dry face across: where it can grow.
+  std::size_t openSides(std::size_t chart) const { return openSides_[chart]; }
+  /// A(c), steradians.
+  double gaussArea(std::size_t chart) const;
+
+ private:
+  /// A sharp edge of a face, or one of its corners.
+  struct Element {
+    std::int64_t area = 0;
+    Index across = kNone;  ///< face across the edge; kNone: a corner
+    Index vertex = kNone;  ///< of a corner
+  };
+
+  bool holds(const Element& element, Index chart) const;
+  void take(Index face, Index chart);
+  void giveBack(Index face);
+  void change(Index face, std::int64_t sign);
+  template <class Visit>
+  void acrossSides(Index face, const Visit& visit) const;
+
+  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const FloodRecord> record_;
+  std::size_t step_ = 0;
+  std::vector<std::int64_t> faceArea_;
+  std::vector<Index> firstElement_;  ///< of each face, and the end
+  std::vector<Element> elements_;
+  std::vector<Index> label_;
+  std::vector<std::size_t> faces_, openSides_;
+  std::vector<std::int64_t> area_;
+};
+
+}  // namespace chartflood
