@@ -27,6 +27,8 @@ class ChartLayer {
 
   /// Takes the labels and the Gauss areas; null removes them.
   void setSegmentation(const Segmentation* segmentation);
+  /// Gauss areas of the charts at another moment, in place of those of the segmentation.
+  void setBalance(std::span<const double> gaussArea);
   /// Makes room for charts known by their seeds alone and gives them colours.
   void setSeeds(std::span<const glm::dvec3> places);
   /// Makes room for at least so many charts.
@@ -56,7 +58,6 @@ class ChartLayer {
 
  private:
   void recolor(std::span<const ChartPair> neighbours);
-  void setBalance(std::span<const double> gaussArea);
   void uploadSeams();
 
   std::shared_ptr<const Mesh> mesh_;

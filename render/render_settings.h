@@ -119,7 +119,9 @@ struct RenderSettings {
 
   /// Shows the recorded flood with only the first so many faces taken; nothing: the labels.
   std::optional<std::size_t> playhead;
+  bool front = true;  ///< the faces taken last are bright
 
+  Index flashFace = kNone;            ///< stands out, for a moment
   Index hoverFace = kNone;            ///< drawn brighter, its chart a little
   Index hoverChart = kNone;           ///< drawn a little brighter where no face is
   std::vector<Index> selectedCharts;  ///< when not empty, the others step back

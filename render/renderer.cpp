@@ -75,6 +75,10 @@ std::span<const Index> Renderer::chartColorNumbers() const {
   return charts_ ? charts_->colorNumbers() : std::span<const Index>{};
 }
 
+void Renderer::setChartAreas(std::span<const double> gaussArea) {
+  if (mesh_) charts_->setBalance(gaussArea);
+}
+
 void Renderer::setFlood(std::shared_ptr<const FloodRecord> record, std::size_t most) {
   if (!mesh_) return;
   flood_->follow(std::move(record));
@@ -149,7 +153,6 @@ bool Renderer::canShow(ColorMode mode) const {
   if (showsDistortion(mode)) return values_.contains(mode);
   if (mode == ColorMode::Checkerboard) return uv_.has_value();
   if (mode == ColorMode::FloodTime || mode == ColorMode::FloodOrder) return flood_->size() > 0;
-  if (mode == ColorMode::Balance) return charts_->labelled();
   return charts_->labelled() || flood_->size() > 0;
 }
 

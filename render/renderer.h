@@ -39,6 +39,7 @@ struct SeedMark {
   Index chart = kNone;    ///< whose colour it gets
   bool emphasis = false;  ///< under the pointer
   bool locked = false;    ///< larger, with a padlock
+  bool closed = false;    ///< with the bar of a closed road: the chart cannot grow
 
   bool operator==(const SeedMark&) const = default;
 };
@@ -81,6 +82,9 @@ class Renderer {
   /// Colours that the first charts begin with, as numbers of a palette's colours: what
   /// chartColorNumbers() said another day.
   void setChartColors(std::span<const Index> numbers);
+  /// Gauss area of each chart at the moment that is shown, for the colours of balance; those of the
+  /// segmentation until then.
+  void setChartAreas(std::span<const double> gaussArea);
   /// Follows a record from its beginning; updateFlood() uploads what was added since. Of a long one
   /// at most so many entries are taken in by one call; updateFlood() is false when some are left.
   void setFlood(std::shared_ptr<const FloodRecord> record, std::size_t most = kWholeFlood);

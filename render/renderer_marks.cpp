@@ -143,8 +143,9 @@ void Renderer::uploadSeeds(const RenderSettings& settings) {
   for (const SeedMark& seed : seedMarks_) {
     if (std::find(hidden.begin(), hidden.end(), seed.chart) != hidden.end()) continue;
     texels.emplace_back(glm::vec3(faceMiddle(*mesh_, seed.face)), 0.0f);
-    texels.emplace_back(chartColor(seed.chart, settings),
-                        (seed.emphasis ? 1.0f : 0.0f) + (seed.locked ? 2.0f : 0.0f));
+    texels.emplace_back(chartColor(seed.chart, settings), (seed.emphasis ? 1.0f : 0.0f) +
+                                                              (seed.locked ? 2.0f : 0.0f) +
+                                                              (seed.closed ? 4.0f : 0.0f));
   }
   if (texels == uploadedSeeds_) return;
   seeds_.upload<glm::vec4>(GL_RGBA32F, texels);

@@ -166,13 +166,17 @@ std::size_t Renderer::drawSurface(const Frame& frame, std::size_t first, std::si
 
   const float faces = static_cast<float>(mesh_->faceCount());
   program.set("uPlayhead", static_cast<unsigned>(settings.playhead.value_or(0)));
-  program.set("uFront", static_cast<unsigned>(std::max(1.0f, std::ceil(kFrontShare * faces))));
+  const float front = settings.front ? std::max(1.0f, std::ceil(kFrontShare * faces)) : 0;
+  program.set("uFront", static_cast<unsigned>(front));
   program.set("uOrderScale", 1 / std::max(faces, 1.0f));
   program.set("uWireWidth", settings.edgeWidth * settings.pixelScale);
   setChecker(program, settings);
   const bool hovers = settings.hoverFace < mesh_->faceCount();
   program.set("uHoverFirst", hovers ? mesh_->triangleBegin(settings.hoverFace) : 0u);
   program.set("uHoverEnd", hovers ? mesh_->triangleBegin(settings.hoverFace + 1) : 0u);
+  const bool flashes = settings.flashFace < mesh_->faceCount();
+  program.set("uFlashFirst", flashes ? mesh_->triangleBegin(settings.flashFace) : 0u);
+  program.set("uFlashEnd", flashes ? mesh_->triangleBegin(settings.flashFace + 1) : 0u);
   program.set("uHoverChart", hoveredChart(settings));
   program.set("uFirstTriangle", static_cast<int>(first));
   program.set("uOutside", surface_->insideOut() ? -1.0f : 1.0f);

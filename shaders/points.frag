@@ -9,6 +9,7 @@ flat in float vRadius;
 flat in vec3 vColor;
 flat in float vEmphasis;
 flat in float vLocked;
+flat in float vClosed;
 out vec4 oColor;
 
 float inside(float radius, float away) { return clamp(radius + 0.5 - away, 0.0, 1.0); }
@@ -37,6 +38,11 @@ void main() {
     if (vLocked > 0.5) {  // light with a dark rim, so that it is seen on any colour
       float lock = ball * padlock(vPlace / ball);
       rgb = mix(mix(rgb, dark, clamp(1.6 - lock, 0.0, 1.0)), light, clamp(0.5 - lock, 0.0, 1.0));
+    }
+    if (vClosed > 0.5 && vLocked < 0.5) {  // the bar of a closed road
+      vec2 beyond = abs(vPlace / ball) - vec2(0.62, 0.2);
+      float bar = ball * (length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0));
+      rgb = mix(mix(rgb, dark, clamp(1.6 - bar, 0.0, 1.0)), light, clamp(0.5 - bar, 0.0, 1.0));
     }
     color = vec4(rgb, 1.0) * inside(vRadius, away);
   } else {

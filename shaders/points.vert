@@ -3,7 +3,7 @@
 #include "common/color_map.glsl"
 #include "common/eye.glsl"
 
-uniform samplerBuffer uPoints;  // two texels each: (place, value), (sRGB colour, 1 with emphasis + 2 when locked)
+uniform samplerBuffer uPoints;  // two texels each: (place, value), (sRGB colour, 1 with emphasis + 2 when locked + 4 when closed)
 uniform vec2 uRadii;            // pixels, at the low and the high end of the scale
 uniform bool uByValue;          // colour and size by value; else the point's own colour
 
@@ -12,6 +12,7 @@ flat out float vRadius;
 flat out vec3 vColor;
 flat out float vEmphasis;
 flat out float vLocked;
+flat out float vClosed;
 
 void main() {
   int point = gl_VertexID / 6;
@@ -21,8 +22,10 @@ void main() {
   float t = uByValue ? scaled(first.w) : 1.0;
   vRadius = mix(uRadii.x, uRadii.y, t);
   vColor = uByValue ? mapped(t) : second.rgb;
-  vLocked = second.a >= 2.0 ? 1.0 : 0.0;
-  vEmphasis = second.a - 2.0 * vLocked;
+  int sign = int(second.a + 0.5);
+  vLocked = (sign & 2) != 0 ? 1.0 : 0.0;
+  vClosed = (sign & 4) != 0 ? 1.0 : 0.0;
+  vEmphasis = (sign & 1) != 0 ? 1.0 : 0.0;
   vRadius *= 1.0 + 0.4 * vLocked;  // the padlock needs room
   int place = corner < 3 ? corner : (corner == 3 ? 2 : (corner == 4 ? 1 : 3));
   float reach = vRadius + 3.0;

@@ -51,6 +51,8 @@ uniform int uFirstTriangle;  // of the part of the mesh that is drawn
 
 uniform uint uHoverFirst;  // triangles [first, end) under the pointer
 uniform uint uHoverEnd;
+uniform uint uFlashFirst;            // triangles that a step has just taken
+uniform uint uFlashEnd;
 uniform uint uHoverChart;  // the chart under the pointer
 
 #ifdef WIRE
@@ -166,14 +168,15 @@ void main() {
   if (presence < 0.75) color = mix(color, vec3(dot(color, vec3(0.3, 0.6, 0.1)) * 0.4 + 0.2), 0.75);
 #endif
 #ifdef PLAY
-  float age = float(uPlayhead - 1u - order) / float(uFront);
-  float front = chart == kNone ? 0.0 : 0.85 * clamp(1.0 - age, 0.0, 1.0);
+  float age = float(uPlayhead - 1u - order) / float(max(uFront, 1u));
+  float front = chart == kNone || uFront == 0u ? 0.0 : 0.85 * clamp(1.0 - age, 0.0, 1.0);
   color = mix(color, vec3(1.0, 0.98, 0.90), front);
 #endif
   uint id = uint(triangle);
   float hover = chart != kNone && chart == uHoverChart ? 0.14 : 0.0;
   if (id >= uHoverFirst && id < uHoverEnd) hover = 0.5;
   color = mix(color, vec3(1.0), hover);
+  if (id >= uFlashFirst && id < uFlashEnd) color = vec3(1.0, 0.80, 0.10);
 #ifdef LIGHT
   color = lit(color);
 #endif

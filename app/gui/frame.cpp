@@ -230,6 +230,7 @@ void Frame::draw(SceneSource* source, UvSource* uvSource) {
     ui.wakeIn(0);  // the views follow
   }
   if (state_.playback.playing() || state_.status().busy) ui.wakeIn(0);
+  if (state_.flash.face() != kNone) ui.wakeIn(state_.flash.secondsLeft());
 }
 
 bool Frame::key(const Chord& chord, bool repeated) {

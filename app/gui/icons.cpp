@@ -90,6 +90,13 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 center, float size, ImU32 colo
   case Icon::StepBack:
     pen.box(0.5f, -0.6f, 0.75f, 0.6f);
     return pen.triangle(-0.75f, 0.3f, 0.6f);
+  case Icon::StepChart:
+    pen.circle(-0.45f, 0, 0.3f);
+    return pen.triangle(0.75f, -0.05f, 0.55f);
+  case Icon::StepMany:
+    pen.box(-0.8f, -0.6f, -0.6f, 0.6f);
+    pen.triangle(0.1f, -0.5f, 0.6f);
+    return pen.triangle(0.8f, 0.15f, 0.6f);
   case Icon::ToStart:
     pen.box(-0.75f, -0.6f, -0.5f, 0.6f);
     return pen.triangle(-0.4f, 0.7f, 0.6f);

@@ -10,6 +10,8 @@ enum class Icon {
   Pause,
   StepForward,
   StepBack,
+  StepChart,
+  StepMany,
   ToStart,
   ToEnd,
   NextRound,

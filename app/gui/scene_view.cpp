@@ -36,13 +36,18 @@ RenderSettings sceneSettings(const AppState& state, float pixelScale) {
   settings.background = shownGround(settings.background, state.preferences.theme);
   settings.pixelScale = pixelScale;
   settings.playhead.reset();
-  if (!state.showsFinal()) settings.playhead = state.playback.playhead();
+  if (!state.showsFinal()) {
+    settings.playhead = state.playback.playhead();
+    settings.front = !(state.playback.complete() && state.playback.atEnd());
+  }
   settings.hoverFace = state.hoveredFace;
+  settings.flashFace = state.flash.face();
   settings.hoverChart = state.pointedChart;
   settings.selectedCharts.clear();
   if (state.film.ready()) {
     settings.colorMode = ColorMode::Charts;
     settings.playhead = state.film.position();
+    settings.front = true;
     return settings;
   }
   if (state.selectedChart != kNone) settings.selectedCharts.push_back(state.selectedChart);
@@ -57,9 +62,21 @@ RenderSettings sceneSettings(const AppState& state, float pixelScale) {
 
 std::vector<SeedMark> seedMarks(const AppState& state) {
   std::vector<SeedMark> marks;
+  const Playback& playback = state.playback;
+  const auto& history = state.results().history;
+  const bool editing = state.panels.tool == PanelState::Tool::Seeds;
+  if (!editing && playback.round() != state.results().recordIteration &&
+      playback.round() < history.size()) {
+    for (const Index face : history[playback.round()].seeds) {
+      const auto chart = static_cast<Index>(marks.size());
+      marks.push_back({face, chart, false, false, state.closedOff(chart)});
+    }
+    return marks;
+  }
   for (const PlacedSeed& seed : state.presentSeeds()) {
     const auto number = static_cast<Index>(marks.size());
-    marks.push_back({seed.face, number, number == state.hoveredSeed, seed.locked});
+    marks.push_back(
+        {seed.face, number, number == state.hoveredSeed, seed.locked, state.closedOff(number)});
   }
   if (const auto& drag = state.seedDrag; drag && drag->seed < marks.size()) {
     marks[drag->seed].face = drag->face;
@@ -76,6 +93,7 @@ void SceneView::takeMesh(const AppState& state, const Results& results) {
   renderer_.setMesh(mesh_, nullptr);
   if (pane_.live()) renderer_.setChartColors(state.view.chartColors);
   segmentation_.reset();
+  stats_.reset();
   record_.reset();
   derived_.reset();
   seeds_.clear();
@@ -163,6 +181,17 @@ void SceneView::takeFlood(std::shared_ptr<const FloodRecord> record) {
   }
 }
 
+/// Colours of balance are those of the moment.
+void SceneView::takeAreas(const AppState& state) {
+  const auto& stats = state.shownStats();
+  if (!stats || stats == stats_) return;
+  stats_ = stats;
+  std::vector<double> areas;
+  for (const ChartFigures& chart : stats->charts) areas.push_back(chart.gaussArea);
+  renderer_.setChartAreas(areas);
+  if (state.view.render.colorMode == ColorMode::Balance) ++content_;
+}
+
 void SceneView::takeSeeds(const AppState& state) {
   std::vector<SeedMark> marks =
       pane_.live() ? seedMarks(state) : state.compare.stored[pane_.stored].seeds;
@@ -223,10 +252,15 @@ void SceneView::takeIn(const AppState& state) {
   if (results.segmentation != segmentation_) {
     segmentation_ = results.segmentation;
     renderer_.setSegmentation(segmentation_.get());
+    stats_.reset();
     ++content_;
   }
-  const bool filmed = pane_.live() && state.film.ready();
-  takeFlood(filmed ? state.film.flood() : results.record);
+  if (pane_.live()) {
+    takeFlood(state.film.ready() ? state.film.flood() : state.playback.record());
+    takeAreas(state);
+  } else {
+    takeFlood(results.record);
+  }
   takeSeeds(state);
   if (pane_.live()) takeFilm(state);
   if (pane_.live()) takeHints(state);
@@ -249,6 +283,8 @@ RenderSettings SceneView::settings(const AppState& state, float pixelScale) cons
   if (pane_.live()) {
     const RenderSettings live = sceneSettings(state, pixelScale);
     settings.playhead = live.playhead;
+    settings.front = live.front;
+    settings.flashFace = live.flashFace;
     settings.hiddenCharts = live.hiddenCharts;
     settings.hoverChart = live.hoverChart;
     if (state.film.ready()) settings.colorMode = live.colorMode;
@@ -320,7 +356,9 @@ ImTextureID SceneView::picture(const AppState& state, int width, int height, flo
   if (smoothSeconds_ > kSmoothWhileMoving) wanted.settings.hoverFace = kNone;
   // A smooth picture gives way to motion.
   if (pending_ && samples < pending_->samples && *pending_ != wanted) pending_.reset();
-  if (!pending_ && (!shown_ || *shown_ != wanted)) {
+  // A round that is still being taken in is shown when it is there as a whole.
+  const bool takingIn = !floodTaken_ && !state.changing() && wanted.settings.playhead;
+  if (!pending_ && !(takingIn && shown_) && (!shown_ || *shown_ != wanted)) {
     begin(wanted);
     // Quick drivers finish it at once; slow ones go on after the window was looked after.
     if (lastSeconds_ < kSecondsAtOnce) goOn();

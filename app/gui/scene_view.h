@@ -95,6 +95,7 @@ class SceneView : public SceneSource {
   void takeMesh(const AppState& state, const Results& results);
   void takeDerived(const AppState& state, const Results& results);
   void takeFlood(std::shared_ptr<const FloodRecord> record);
+  void takeAreas(const AppState& state);
   void takeSeeds(const AppState& state);
   void takeFilm(const AppState& state);
   void takeHints(const AppState& state);
@@ -119,6 +120,7 @@ class SceneView : public SceneSource {
 
   std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const Segmentation> segmentation_;
+  std::shared_ptr<const ChartStats> stats_;  ///< whose areas colour the balance
   std::shared_ptr<const FloodRecord> record_;
   std::size_t recorded_ = 0;  ///< entries that the record had at the last look
   bool floodTaken_ = true;    ///< all of them are drawn from

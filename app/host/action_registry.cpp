@@ -90,6 +90,7 @@ ActionRegistry makeActionRegistry() {
   addFilmActions(registry);
   addCompareActions(registry);
   addPictureActions(registry);
+  addRunActions(registry);
   addInsightActions(registry);
   addExportActions(registry);
   return registry;

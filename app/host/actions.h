@@ -31,6 +31,7 @@ void addChartActions(ActionRegistry& registry);
 void addCompareActions(ActionRegistry& registry);
 /// The film of the HandleCutter.
 void addFilmActions(ActionRegistry& registry);
+void addRunActions(ActionRegistry& registry);
 /// The Gauss sphere, plots, figures of charts, and what deserves attention.
 void addInsightActions(ActionRegistry& registry);
 /// Pictures, and what they are like.

@@ -26,7 +26,7 @@ std::string needsRecord(const AppState& state) {
 
 std::string needsMoreToFlood(const AppState& state) {
   if (!state.hasMesh()) return kNoMesh;
-  const bool over = finished(state) && state.playback.atEnd() && state.playback.complete();
+  const bool over = finished(state) && state.playback.atEndOfRun() && state.playback.complete();
   return over ? "The segmentation is finished; reset it or change a parameter to go on." : "";
 }
 
@@ -36,7 +36,8 @@ std::string needsRounds(const AppState& state) {
 }
 
 std::size_t manySteps(const AppState& state) {
-  return std::max<std::size_t>(1, state.playback.capacity() / 100);
+  return manyFacesCount(state.preferences.film.many, state.playback.capacity(),
+                        state.results().seeds.size());
 }
 
 void addStep(ActionRegistry& registry) {
@@ -48,12 +49,13 @@ void addStep(ActionRegistry& registry) {
                 .run = [](AppState& state, const Arguments& a) {
                   const long count = a.integer("count", 1);
                   if (count < 1) throw UsageError("A step takes at least 1 triangle.");
+                  if (!state.preferences.film.reducedMotion) state.flash.ask(state.playback);
                   state.request(state.playback.stepForward(static_cast<std::size_t>(count)));
                 }});
   registry.bind("Right", "step");
   registry.add({.id = "step-many",
                 .title = "Step many",
-                .help = "Takes the next hundredth of all triangles.",
+                .help = "Takes many triangles: a hundredth of all, or as chosen.",
                 .arguments = {},
                 .refusal = needsMoreToFlood,
                 .run = [](AppState& state, const Arguments&) {
@@ -73,7 +75,7 @@ void addStep(ActionRegistry& registry) {
   registry.bind("Left", "back");
   registry.add({.id = "back-many",
                 .title = "Back many",
-                .help = "Gives the last hundredth of all triangles back.",
+                .help = "Gives many triangles back: a hundredth of all, or as chosen.",
                 .arguments = {},
                 .refusal = needsRecord,
                 .run = [](AppState& state, const Arguments&) {
@@ -98,13 +100,15 @@ void addTransport(ActionRegistry& registry) {
   addStep(registry);
   registry.add({.id = "finish",
                 .title = "Finish this flood",
-                .help = "Goes to the end of the present flood.",
+                .help = "Goes to the end of the round shown.",
                 .arguments = {},
                 .refusal = needsMoreToFlood,
                 .run = [](AppState& state, const Arguments&) {
-                  const bool complete = state.playback.complete();
+                  if (state.playback.complete()) {
+                    return state.playback.seek(state.playback.capacity());
+                  }
                   state.playback.follow();
-                  if (!complete) state.request(StepRequest{StepUnit::Flood, 1});
+                  state.request(StepRequest{StepUnit::Flood, 1});
                 }});
   registry.bind("Ctrl+Right", "finish");
   registry.add({.id = "seek",
@@ -117,17 +121,19 @@ void addTransport(ActionRegistry& registry) {
                 }});
   registry.add({.id = "first",
                 .title = "First step",
-                .help = "Shows the start of the present flood.",
+                .help = "Shows the start of the round shown.",
                 .arguments = {},
                 .refusal = needsRecord,
                 .run = [](AppState& state, const Arguments&) { state.playback.seek(0); }});
   registry.bind("Home", "first");
   registry.add({.id = "last",
                 .title = "Last step",
-                .help = "Shows all that was flooded so far.",
+                .help = "Shows the end of the round shown, as far as it was flooded.",
                 .arguments = {},
                 .refusal = needsRecord,
-                .run = [](AppState& state, const Arguments&) { state.playback.follow(); }});
+                .run = [](AppState& state, const Arguments&) {
+                  state.playback.seek(state.playback.capacity());
+                }});
   registry.bind("End", "last");
 }
 

@@ -38,14 +38,25 @@ void AppState::update(double seconds) {
   notices.update(seconds);
   if (results_->meshVersion != meshVersion_) {
     meshVersion_ = results_->meshVersion;
+    moment_.clear();
     takeNewMesh();
   }
   runs.update(*this);
   film.update(results_->segmentation, std::min(seconds, kLongestPlayedSeconds));
-  const bool stopped = results_->stopReason != StopReason::NotStopped;
-  request(playback.update({hasMesh(), results_->record, changing(), stopped},
-                          std::min(seconds, kLongestPlayedSeconds)));
+  movePlayback(std::min(seconds, kLongestPlayedSeconds));
   keepWork(seconds);
+}
+
+void AppState::movePlayback(double seconds) {
+  const bool stopped = results_->stopReason != StopReason::NotStopped;
+  request(playback.update({hasMesh(), results_->record, changing(), stopped, results_->finished,
+                           results_->recordIteration, results_->floods},
+                          seconds));
+  const std::size_t missing = playback.missingRound().value_or(kNoRound);
+  if (missing != kNoRound && missing != recalled_) session_.recallRound(missing);
+  recalled_ = missing;
+  flash.update(playback, seconds);
+  if (!showsFinal()) moment_.show(*results_, playback.record(), playback.playhead());
 }
 
 void AppState::takeNewMesh() {
@@ -187,8 +198,18 @@ std::string AppState::modelName() const {
 
 bool AppState::showsFinal() const {
   const Segmentation* labels = results_->segmentation.get();
-  return labels != nullptr && labels->complete && !changing() && playback.atEnd() &&
-         playback.complete();
+  if (labels == nullptr || !labels->complete || changing()) return false;
+  if (results_->finished) return playback.atFinal();
+  return playback.onWorkersRound() && playback.atEnd() && playback.complete();
+}
+
+std::span<const Index> AppState::shownLabels() const {
+  if (!showsFinal()) return moment_.labels();
+  return results_->segmentation->label;
+}
+
+const std::shared_ptr<const ChartStats>& AppState::shownStats() const {
+  return showsFinal() ? results_->chartStats : moment_.stats();
 }
 
 std::vector<PlacedSeed> AppState::presentSeeds() const {
@@ -271,9 +292,8 @@ void AppState::takeBackDrag() {
 }
 
 Index AppState::chartOfFace(Index face) const {
-  const Segmentation* labels = results_->segmentation.get();
-  if (labels == nullptr || face >= labels->label.size()) return kNone;
-  return labels->label[face];
+  const std::span<const Index> labels = shownLabels();
+  return face < labels.size() ? labels[face] : kNone;
 }
 
 Index AppState::hoveredChart() const {

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,10 +18,12 @@
 #include "app/host/hint_edits.h"
 #include "app/host/insight.h"
 #include "app/host/method_runs.h"
+#include "app/host/moment_charts.h"
 #include "app/host/notices.h"
 #include "app/host/playback.h"
 #include "app/host/preferences.h"
 #include "app/host/run_watch.h"
+#include "app/host/step_flash.h"
 #include "app/host/undo_history.h"
 #include "app/host/view_settings.h"
 #include "app/host/work_keeper.h"
@@ -135,6 +138,13 @@ class AppState {
   bool changing() const { return status_.busy && !status_.unwrapping; }
   /// True when the view shows the finished labels rather than a part of the record.
   bool showsFinal() const;
+  /// Chart of each face at the moment shown, kNone while dry; empty without charts.
+  std::span<const Index> shownLabels() const;
+  /// Figures of the charts at the moment shown, null without any; while showsFinal() is false faces
+  /// and Gauss areas alone.
+  const std::shared_ptr<const ChartStats>& shownStats() const;
+  /// True for a chart that cannot grow any more at the moment shown, while others can.
+  bool closedOff(Index chart) const { return !showsFinal() && moment_.closedOff(chart); }
 
   /// True when dragging a slider floods at once, by the preference and what the last flood took.
   bool floodsWhileDragged() const { return floodsLive(true); }
@@ -200,6 +210,7 @@ class AppState {
 
   ViewSettings view;
   Playback playback;
+  StepFlash flash;
   HandleFilm film;
   Compare compare;
   MethodRuns methodRuns;
@@ -226,6 +237,8 @@ class AppState {
   static constexpr double kLiveMilliseconds = 150;
 
  private:
+  static constexpr std::size_t kNoRound = static_cast<std::size_t>(-1);
+
   /// What is being opened.
   struct Opening {
     SessionModel model;
@@ -239,6 +252,7 @@ class AppState {
   void takeNewMesh();
   void takeSession(Opening& opening);
   void keepWork(double seconds);
+  void movePlayback(double seconds);
   std::string sessionTextFor(const std::filesystem::path& file) const;
   std::string sessionTextOf(const ViewSettings& shown, const std::filesystem::path& file) const;
   std::filesystem::path findModel(const std::string& name,
@@ -254,6 +268,8 @@ class AppState {
   std::shared_ptr<const Results> results_;
   mutable CompareFigures figures_;  ///< of the results of `figuresVersion_`
   mutable std::uint64_t figuresVersion_ = 0;
+  MomentCharts moment_;
+  std::size_t recalled_ = kNoRound;  ///< round whose log the session was asked for
   WorkStatus status_;
   UndoHistory<UndoStep> undo_;
   std::vector<std::string> journal_;

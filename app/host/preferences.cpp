@@ -183,6 +183,10 @@ Preferences readPreferences(const std::filesystem::path& configFolder,
   config.read("ask-unsaved", result.askUnsaved, &Json::is_boolean);
   config.readPresets(result.presets);
   readPicture(config, result.picture, warning);
+  std::string many = manyFacesId(result.film.many);
+  config.read("many", many, &Json::is_string);
+  result.film.many = manyFacesFromId(many);
+  config.read("reduced-motion", result.film.reducedMotion, &Json::is_boolean);
   result.navigation = navigationStyleFromId(navigation);
   result.live = liveModeFromId(live);
   if (const ThemeInfo* known = findTheme(theme)) result.theme = known->kind;
@@ -213,6 +217,8 @@ void writePreferences(const Preferences& preferences, const std::filesystem::pat
              {"first-steps", preferences.firstCard},
              {"ask-unsaved", preferences.askUnsaved},
              {"presets", presetsJson(preferences.presets)},
+             {"many", manyFacesId(preferences.film.many)},
+             {"reduced-motion", preferences.film.reducedMotion},
              {"picture", pictureJson(preferences.picture)}});
   writeJson(stateFolder, kStateName,
             {{"window-width", preferences.windowWidth},

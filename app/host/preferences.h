@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/host/film_preferences.h"
 #include "app/host/look.h"
 #include "app/host/picture_settings.h"
 #include "app/host/user_presets.h"
@@ -24,6 +25,7 @@ struct Preferences {
   bool invertZoom = false;
   bool invertTurnX = false, invertTurnY = false;  ///< dragging right turns left, and so on
   LiveMode live = LiveMode::Auto;
+  FilmPreferences film;
   bool firstCard = true;    ///< the card of first steps is still to be shown
   bool askUnsaved = true;   ///< before unsaved changes would be lost
   PictureSettings picture;  ///< of the last picture

@@ -1,5 +1,8 @@
 // The transport over a flood's record: what is shown, and what is asked of the worker.
 
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "app/host/playback.h"
@@ -109,6 +112,158 @@ TEST(Playback, ANewRecordWhilePlayingStartsAtItsBeginning) {
   playback.play();
   playback.update(source(record(100, 60)), 0);
   EXPECT_EQ(playback.playhead(), 0u);
+}
+
+/// Three finished rounds of 100 faces and a fourth with 10.
+class RunPlayback : public testing::Test {
+ protected:
+  using Logs = std::vector<std::shared_ptr<const FloodRecord>>;
+
+  Playback::Source run() const {
+    return {true, live_, busy_, finished_, finished_, liveRound_, rounds_};
+  }
+  void SetUp() override { playback_.update(run(), 0); }
+  std::pair<std::size_t, std::size_t> moment() const {
+    return {playback_.round(), playback_.playhead()};
+  }
+  using Moment = std::pair<std::size_t, std::size_t>;
+  /// A stop rule has fired: the second round is the best one.
+  void finish() {
+    rounds_.push_back(live_);
+    live_ = rounds_[1];
+    liveRound_ = 1;
+    finished_ = true;
+    playback_.update(run(), 0);
+  }
+
+  Logs rounds_ = {record(100, 100), record(100, 100), record(100, 100)};
+  std::shared_ptr<const FloodRecord> live_ = record(100, 10);
+  std::size_t liveRound_ = 3;
+  bool busy_ = false, finished_ = false;
+  Playback playback_;
+};
+
+TEST_F(RunPlayback, StepsBackThroughTheRoundsAndForwardAgain) {
+  EXPECT_EQ(moment(), Moment(3, 10));
+  std::vector<Moment> seen;
+  for (int i = 0; i < 230; ++i) {
+    playback_.stepBack(1);
+    playback_.update(run(), 0);
+    seen.push_back(moment());
+  }
+  EXPECT_EQ(seen[9], Moment(2, 100));
+  EXPECT_EQ(seen.back(), Moment(0, 80));
+  for (std::size_t i = seen.size() - 1; i > 0; --i) {
+    EXPECT_EQ(playback_.stepForward(1), std::nullopt);
+    EXPECT_EQ(moment(), seen[i - 1]);
+  }
+  EXPECT_EQ(playback_.stepForward(4), (StepRequest{StepUnit::Face, 3}));
+}
+
+TEST_F(RunPlayback, AnyStepLeadsToTheSameMomentAsManySmallOnes) {
+  playback_.goTo(0, 37);
+  playback_.stepForward(150);
+  EXPECT_EQ(moment(), Moment(1, 87));
+  playback_.stepBack(150);
+  EXPECT_EQ(moment(), Moment(0, 37));
+}
+
+TEST_F(RunPlayback, StaysWhereItIsWhileTheWorkerGoesOn) {
+  playback_.goTo(1, 50);
+  rounds_.push_back(live_);
+  live_ = record(100, 20);
+  liveRound_ = 4;
+  playback_.update(run(), 0.1);
+  EXPECT_EQ(moment(), Moment(1, 50));
+  EXPECT_EQ(playback_.rounds(), 5u);
+}
+
+TEST_F(RunPlayback, AMomentOfTheFloodUnderWayBecomesOneOfItsRound) {
+  playback_.seek(5);
+  rounds_.push_back(live_);
+  live_ = record(100, 20);
+  liveRound_ = 4;
+  playback_.update(run(), 0.1);
+  EXPECT_EQ(moment(), Moment(3, 5));
+}
+
+TEST_F(RunPlayback, PlaysThroughTheRoundsAndThenAsksForMore) {
+  playback_.goTo(1, 90);
+  playback_.setSpeed(100);
+  playback_.play();
+  EXPECT_EQ(playback_.update(run(), 0.2), std::nullopt);
+  EXPECT_EQ(moment(), Moment(2, 10));
+  for (int i = 0; i < 9; ++i) EXPECT_EQ(playback_.update(run(), 0.1), std::nullopt);
+  EXPECT_EQ(playback_.update(run(), 0.1), (StepRequest{StepUnit::Flood, 1}));
+  EXPECT_EQ(moment(), Moment(3, 10));
+}
+
+TEST_F(RunPlayback, OneFloodEndsWithItsRound) {
+  playback_.goTo(1, 90);
+  playback_.setSpeed(100);
+  playback_.playOneFlood();
+  playback_.update(run(), 0.5);
+  EXPECT_EQ(moment(), Moment(1, 100));
+  EXPECT_FALSE(playback_.playing());
+}
+
+TEST_F(RunPlayback, TheFinishedChartsAreTheLastPicture) {
+  finish();
+  EXPECT_TRUE(playback_.atFinal());
+  EXPECT_TRUE(playback_.atEndOfRun());
+  playback_.stepBack(1);
+  EXPECT_FALSE(playback_.atFinal());
+  EXPECT_EQ(moment(), Moment(1, 100));
+  playback_.goTo(3, 100);
+  EXPECT_FALSE(playback_.atFinal());
+  EXPECT_EQ(playback_.stepForward(1), std::nullopt);
+  EXPECT_TRUE(playback_.atFinal());
+}
+
+TEST_F(RunPlayback, AFinishedRunIsPlayedFromItsBeginningToTheFinishedCharts) {
+  rounds_.back() = record(100, 100);
+  live_ = record(100, 100);
+  playback_.update(run(), 0);
+  finish();
+  playback_.setSpeed(100);
+  playback_.play();
+  playback_.update(run(), 0.5);
+  EXPECT_EQ(moment(), Moment(0, 50));
+  for (int i = 0; i < 10 && playback_.playing(); ++i) playback_.update(run(), 0.9);
+  EXPECT_TRUE(playback_.atFinal());
+}
+
+TEST_F(RunPlayback, ADroppedRoundIsAskedForAndThenShown) {
+  rounds_[1] = nullptr;
+  playback_.update(run(), 0);
+  playback_.goTo(1, 40);
+  EXPECT_EQ(playback_.missingRound(), 1u);
+  EXPECT_EQ(moment(), Moment(1, 0));
+  rounds_[1] = record(100, 100);
+  playback_.update(run(), 0);
+  EXPECT_EQ(playback_.missingRound(), std::nullopt);
+  EXPECT_EQ(moment(), Moment(1, 40));
+}
+
+TEST_F(RunPlayback, AnotherRunBeginsAtItsEnd) {
+  playback_.goTo(2, 40);
+  rounds_.clear();
+  live_ = record(100, 7);
+  liveRound_ = 0;
+  playback_.update(run(), 0);
+  EXPECT_EQ(moment(), Moment(0, 7));
+}
+
+TEST_F(RunPlayback, AStepOfAChartEndsWithItsNextTriangle) {
+  auto log = std::make_shared<FloodRecord>(20);
+  for (Index i = 0; i < 20; ++i) log->append(i, i % 3, 0);
+  log->publish();
+  Playback playback;
+  playback.update(source(log), 0);
+  playback.seek(4);
+  EXPECT_EQ(playback.stepChart(0), std::nullopt);
+  EXPECT_EQ(playback.playhead(), 7u);
+  EXPECT_EQ((*log)[6].chart, 0u);
 }
 
 }  // namespace

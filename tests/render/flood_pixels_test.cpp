@@ -76,6 +76,62 @@ TEST_F(FloodPixels, ScrubbingBackEqualsSteppingForward) {
   EXPECT_EQ(draw(settings), before);
 }
 
+TEST_F(FloodPixels, GoingToAnotherRoundAndBackGivesTheSamePicture) {
+  show(test::cube(6));
+  auto other = std::make_shared<FloodRecord>(mesh_->faceCount());
+  for (std::size_t i = mesh_->faceCount(); i-- > 0;) {
+    other->append(static_cast<Index>(i), static_cast<Index>(i / 72), 0);
+  }
+  other->publish();
+  const auto first = cubeRecord();
+  RenderSettings settings = flat(ColorMode::Charts);
+  settings.seams = true;
+  settings.playhead = 200;
+  renderer_->setFlood(first);
+  const Image before = draw(settings);
+  renderer_->setFlood(other);
+  EXPECT_NE(draw(settings), before);
+  renderer_->setFlood(first, 50);
+  while (!renderer_->updateFlood(50)) continue;
+  EXPECT_EQ(draw(settings), before);
+}
+
+TEST_F(FloodPixels, WithoutAFrontAWholeFloodLooksLikeItsLabels) {
+  show(test::cube(6));
+  renderer_->setFlood(cubeRecord());
+  const Segmentation labels = cubeSides();
+  renderer_->setSegmentation(&labels);
+  RenderSettings settings = flat(ColorMode::Charts);
+  const Image final = draw(settings);
+  settings.playhead = mesh_->faceCount();
+  EXPECT_NE(draw(settings), final);
+  settings.front = false;
+  EXPECT_EQ(draw(settings), final);
+}
+
+TEST_F(FloodPixels, TheFlashMarksOneFace) {
+  show(test::cube(6));
+  renderer_->setFlood(cubeRecord());
+  RenderSettings settings = flat(ColorMode::Charts);
+  settings.playhead = 200;
+  const auto seen = seenTriangles();
+  const auto [triangle, pixel] = seen[seen.size() / 2];
+  settings.flashFace = triangle;
+  EXPECT_EQ(draw(settings).at(pixel.x, pixel.y), (Rgba8{255, 204, 26, 255}));
+}
+
+TEST_F(FloodPixels, TheMomentsAreasColourTheBalance) {
+  show(test::cube(6));
+  const Segmentation labels = cubeSides();
+  renderer_->setSegmentation(&labels);
+  const RenderSettings settings = flat(ColorMode::Balance);
+  const Image even = draw(settings);
+  renderer_->setChartAreas(std::vector<double>{1, 2, 3, 1, 2, 3});
+  EXPECT_NE(draw(settings), even);
+  renderer_->setChartAreas(labels.areas.gaussArea);
+  EXPECT_EQ(draw(settings), even);
+}
+
 TEST_F(FloodPixels, SeamsAppearWithTheirSecondFace) {
   show(test::cube(6));
   renderer_->setFlood(cubeRecord());

@@ -21,8 +21,11 @@ struct Figures {
   const ChartSet* charts = nullptr;
   const Unwrap* unwrap = nullptr;
 
-  explicit Figures(const Results& results) : stats(*results.chartStats) {
-    if (!results.flat) return;
+  bool whole = false;  ///< figures of borders are known: the finished charts are shown
+
+  explicit Figures(const AppState& state) : stats(*state.shownStats()), whole(state.showsFinal()) {
+    const Results& results = state.results();
+    if (!results.flat || !whole) return;
     charts = results.charts.get();
     unwrap = results.unwrap.get();
   }
@@ -85,7 +88,9 @@ void tableRow(const Ui& ui, const Figures& all, std::size_t chart) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const bool selected = ui.state.selectedChart == chart;
-  if (ImGui::Selectable(std::to_string(chart).c_str(), selected,
+  const bool closed = ui.state.closedOff(static_cast<Index>(chart));
+  const std::string name = std::to_string(chart) + (closed ? " closed" : "");
+  if (ImGui::Selectable((name + "###" + std::to_string(chart)).c_str(), selected,
                         ImGuiSelectableFlags_SpanAllColumns)) {
     ui.run("select-chart " + std::to_string(chart));
   }
@@ -98,11 +103,11 @@ void tableRow(const Ui& ui, const Figures& all, std::size_t chart) {
   ImGui::TableNextColumn();
   rightText("%.0f %%", stats.balanceDefined ? 100 * figures.gaussArea / stats.gaussMean : 0);
   ImGui::TableNextColumn();
-  rightText("%.3g", figures.perimeter);
+  if (all.whole) rightText("%.3g", figures.perimeter);
   ImGui::TableNextColumn();
   if (const double stretch = all.stretch(chart); stretch > 0) rightText("%.3f", stretch);
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(all.disk(chart) ? "yes" : "no");
+  if (all.whole) ImGui::TextUnformatted(all.disk(chart) ? "yes" : "no");
 }
 
 void headers(const Ui& ui) {
@@ -136,8 +141,8 @@ void headers(const Ui& ui) {
 }  // namespace
 
 void chartTable(const Ui& ui) {
-  const Results& results = ui.state.results();
-  if (!results.chartStats || results.chartStats->charts.empty()) {
+  const auto& stats = ui.state.shownStats();
+  if (!stats || stats->charts.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
     ImGui::TextWrapped("The charts appear here after the first flood. Press Space to play it.");
     ImGui::PopStyleColor();
@@ -149,7 +154,7 @@ void chartTable(const Ui& ui) {
                                 ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
   if (ImGui::BeginTable("charts", kColumns, flags)) {
     headers(ui);
-    const Figures figures(results);
+    const Figures figures(ui.state);
     const std::vector<std::size_t> order = sortedCharts(figures);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(order.size()));

@@ -183,12 +183,24 @@ void viewMenu(const Ui& ui) {
   ImGui::EndMenu();
 }
 
+/// How far "Step many" goes.
+void stepSizeMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Step many takes")) return;
+  actionMenuItem(ui, "many 10", "10 triangles");
+  actionMenuItem(ui, "many 100", "100 triangles");
+  actionMenuItem(ui, "many hundredth", "1 % of all");
+  actionMenuItem(ui, "many charts", "One for each chart");
+  ImGui::EndMenu();
+}
+
 void runMenu(const Ui& ui) {
   if (!beginMenu(ui, "Run")) return;
-  for (const char* line :
-       {"play", "step", "step-many", "back", "back-many", "finish", "first", "last"}) {
+  for (const char* line : {"play", "step", "step-chart", "step-many", "back", "back-many", "finish",
+                           "first", "last", "run-start", "run-end"}) {
     actionMenuItem(ui, line);
   }
+  stepSizeMenu(ui);
+  actionMenuItem(ui, "reduced-motion");
   ImGui::Separator();
   for (const char* line : {"iteration", "run", "stop", "best", "unwrap"}) {
     actionMenuItem(ui, line);

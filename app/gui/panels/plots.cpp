@@ -42,7 +42,7 @@ std::string areaReadout(const AppState& state, const ChartStats& stats) {
 }
 
 void areaOfCharts(const Ui& ui, float height) {
-  const ChartStats* stats = ui.state.results().chartStats.get();
+  const ChartStats* stats = ui.state.shownStats().get();
   const bool any = stats != nullptr && !stats->charts.empty();
   PlotWords words{"Gauss area of each chart", "plot/charts",
                   "How much the surface of each chart turns, in steradians. Dashed: the mean. Even "
@@ -204,8 +204,10 @@ void plotsPanel(const Ui& ui) {
   const int inMode = histograms ? static_cast<int>(histograms->size()) : 0;
   ImGui::BeginChild("plots", {0, 0}, false, ImGuiWindowFlags_NoNav);
   const Results& results = ui.state.results();
-  const int full = (results.chartStats ? 1 : 0) + (stretchOfCharts(results).empty() ? 0 : 1) +
-                   inMode + (results.history.empty() ? 0 : 1) + (results.chartRuns ? 1 : 0);
+  const auto& stats = ui.state.shownStats();
+  const int full = (stats && !stats->charts.empty() ? 1 : 0) +
+                   (stretchOfCharts(results).empty() ? 0 : 1) + inMode +
+                   (results.history.empty() ? 0 : 1) + (results.chartRuns ? 1 : 0);
   const int empty = 3 + std::max(1, inMode) + (results.chartRuns ? 1 : 0) - full;
   const float height = plotHeight(ui, full, empty);
   areaOfCharts(ui, height);

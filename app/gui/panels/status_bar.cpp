@@ -65,15 +65,13 @@ void workState(const Ui& ui) {
   ImGui::TextUnformatted(words);
 }
 
-/// Chart of a face as shown at the playhead, kNone when it is dry.
+/// Chart of a face as shown in the half under the mouse, kNone when it is dry.
 Index shownChart(const AppState& state, Index face) {
   const Compare& compare = state.compare;
   const ComparePane pane = compare.showing() ? compare.underMouse : ComparePane{};
-  const bool there = pane.live() || pane.stored < compare.stored.size();
-  const Results& results = there ? paneResults(state, pane) : state.results();
-  const Segmentation* labels = results.segmentation.get();
-  if (labels == nullptr || face >= labels->label.size()) return kNone;
-  return labels->label[face];
+  if (pane.live() || pane.stored >= compare.stored.size()) return state.chartOfFace(face);
+  const Segmentation* labels = paneResults(state, pane).segmentation.get();
+  return labels == nullptr || face >= labels->label.size() ? kNone : labels->label[face];
 }
 
 std::string underMouse(const AppState& state) {
@@ -95,11 +93,12 @@ std::string underMouse(const AppState& state) {
   return text;
 }
 
-std::string figures(const Results& results) {
+std::string figures(const AppState& state) {
+  const Results& results = state.results();
   if (!results.mesh) return "";
   std::string text;
-  if (results.chartStats && results.segmentation && results.segmentation->complete) {
-    const ChartStats& stats = *results.chartStats;
+  if (const auto& shown = state.shownStats(); shown && !shown->charts.empty()) {
+    const ChartStats& stats = *shown;
     text += std::to_string(stats.charts.size()) + " charts";
     text += stats.balanceDefined ? "   spread " + format("%.1f %%", 100 * stats.stdOverMean())
                                  : "   no curvature to balance";
@@ -113,7 +112,7 @@ std::string figures(const Results& results) {
 void statusBar(const Ui& ui) {
   ImGui::AlignTextToFramePadding();
   workState(ui);
-  const std::string right = figures(ui.state.results());
+  const std::string right = figures(ui.state);
   const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
   const float end = ImGui::GetWindowContentRegionMax().x;
   const float start = ui.px(300);

@@ -42,38 +42,97 @@ void roundTooltip(const Ui& ui, const IterationSummary& round, bool best) {
                      std::to_string(round.movedSeeds) + " seeds moved";
   if (best) text += "\nBest so far";
   tooltip(ui, "round " + std::to_string(round.iteration + 1),
-          "Round " + std::to_string(round.iteration + 1), text + "\nDouble-click to use it.");
+          "Round " + std::to_string(round.iteration + 1),
+          text + "\nClick or drag to look at it, double-click to use it.");
+}
+
+/// Where the rounds stand in the strip: a cell each, and one for the finished charts.
+struct Cells {
+  ImVec2 low;
+  float height = 0, step = 0;
+  std::size_t count = 0;
+
+  float left(std::size_t cell) const { return low.x + static_cast<float>(cell) * step; }
+  std::size_t under(float x) const {
+    const float cell = std::floor((x - low.x) / std::max(step, 1e-3f));
+    return static_cast<std::size_t>(std::clamp(cell, 0.0f, static_cast<float>(count - 1)));
+  }
+};
+
+/// The frame round the cell that is shown, and a tick at the moment within its flood.
+void momentMark(const Ui& ui, const Cells& cells) {
+  const Playback& playback = ui.state.playback;
+  const Palette& p = ui.theme.palette;
+  const std::size_t cell = playback.atFinal() ? playback.rounds() : playback.round();
+  const float left = cells.left(cell), right = left + cells.step;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRect({left, cells.low.y}, {right, cells.low.y + cells.height}, p.text, ui.px(2), 0,
+               ui.px(1.5f));
+  if (playback.atFinal() || playback.capacity() == 0) return;
+  const float share = static_cast<float>(static_cast<double>(playback.playhead()) /
+                                         static_cast<double>(playback.capacity()));
+  const float x = left + share * cells.step, size = ui.px(4);
+  list.AddTriangleFilled({x - size, cells.low.y}, {x + size, cells.low.y},
+                         {x, cells.low.y + 1.4f * size}, p.text);
+}
+
+/// A flag: the finished charts.
+void finalCell(const Ui& ui, const Cells& cells) {
+  const float x = std::round((cells.left(cells.count - 1) + cells.left(cells.count)) / 2);
+  const float y = cells.low.y + cells.height / 2, r = std::min(ui.px(5), 0.35f * cells.step);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddQuadFilled({x, y - r}, {x + r, y}, {x, y + r}, {x - r, y}, ui.theme.palette.front);
+}
+
+/// Goes to the round under the mouse while the button is down; double-click uses it.
+void dragRounds(const Ui& ui, const Cells& cells, std::size_t rounds) {
+  const Playback& playback = ui.state.playback;
+  const std::size_t cell = cells.under(ImGui::GetIO().MousePos.x);
+  const std::size_t shown = playback.atFinal() ? playback.rounds() : playback.round();
+  if (ImGui::IsMouseDoubleClicked(0) && ImGui::IsItemHovered() && cell < rounds) {
+    return ui.run("adopt " + std::to_string(cell + 1));
+  }
+  if (!ImGui::IsItemActive() || cell == shown) return;
+  ui.run(cell >= playback.rounds() ? std::string("run-end")
+                                   : "go-to-round " + std::to_string(cell + 1));
 }
 
 void roundStrip(const Ui& ui, float width, float height) {
   const Results& results = ui.state.results();
+  const Playback& playback = ui.state.playback;
   const Palette& p = ui.theme.palette;
-  const ImVec2 low = ImGui::GetCursorScreenPos();
+  Cells cells{ImGui::GetCursorScreenPos(), height};
   ImGui::InvisibleButton("##rounds", {width, height});
   ui.probe.item("rounds");
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(low, {low.x + width, low.y + height}, p.bar, ui.px(3));
+  list.AddRectFilled(cells.low, {cells.low.x + width, cells.low.y + height}, p.bar, ui.px(3));
   const std::size_t rounds = results.history.size();
-  if (rounds == 0) return;
-  const float step = std::min(ui.px(16), width / static_cast<float>(rounds));
+  cells.count = playback.rounds() + (playback.hasFinal() ? 1 : 0);
+  if (cells.count == 0) return;
+  cells.step = std::min(ui.px(16), width / static_cast<float>(cells.count));
   const double worst = worstBalance(results);
-  const float mouse = ImGui::GetIO().MousePos.x - low.x;
   const bool hovered = ImGui::IsItemHovered();
+  const std::size_t under = cells.under(ImGui::GetIO().MousePos.x);
+  const bool onCell = hovered && ImGui::GetIO().MousePos.x < cells.left(cells.count);
   for (std::size_t i = 0; i < rounds; ++i) {
     const IterationSummary& round = results.history[i];
-    const float x = low.x + static_cast<float>(i) * step;
     const float full = height - ui.px(8);
     const float bar = std::max(ui.px(2), full * static_cast<float>(round.stdOverMean / worst));
     const bool best = i == results.bestIteration;
-    const bool under = hovered && mouse >= static_cast<float>(i) * step &&
-                       mouse < static_cast<float>(i + 1) * step;
-    const ImU32 color = under ? p.text : best ? p.front : p.accent;
-    const float gap = step > 4 ? 1.0f : 0.0f;
-    list.AddRectFilled({x + gap, low.y + height - bar}, {x + step - gap, low.y + height}, color,
-                       step > 6 ? 2.0f : 0.0f);
-    if (under) roundTooltip(ui, round, best);
-    if (under && ImGui::IsMouseDoubleClicked(0)) ui.run("adopt " + std::to_string(i + 1));
+    const ImU32 color = onCell && under == i ? p.text : best ? p.front : p.accent;
+    const float gap = cells.step > 4 ? 1.0f : 0.0f;
+    list.AddRectFilled({cells.left(i) + gap, cells.low.y + height - bar},
+                       {cells.left(i + 1) - gap, cells.low.y + height}, color,
+                       cells.step > 6 ? 2.0f : 0.0f);
+    if (onCell && under == i) roundTooltip(ui, round, best);
   }
+  if (playback.hasFinal()) finalCell(ui, cells);
+  momentMark(ui, cells);
+  if (onCell && under >= rounds) {
+    tooltip(ui, "round end", under >= playback.rounds() ? "Finished charts" : "Round under way",
+            under >= playback.rounds() ? "The best round after its borders were tidied." : "");
+  }
+  dragRounds(ui, cells, rounds);
 }
 
 void scrubber(const Ui& ui, float width, float height) {
@@ -121,6 +180,14 @@ std::string roundFigure(const Results& results) {
          (results.segmentation && results.segmentation->refined ? " before tidying" : "");
 }
 
+std::string momentFigure(const Playback& playback) {
+  const std::string of = "round " + std::to_string(playback.round() + 1) + "   ";
+  if (playback.atFinal()) return of + "finished charts";
+  if (playback.missingRound()) return of + "is flooded once more";
+  return (playback.rounds() > 0 ? of : std::string()) + grouped(playback.playhead()) + " of " +
+         grouped(playback.capacity()) + " faces";
+}
+
 }  // namespace
 
 void timeline(const Ui& ui) {
@@ -135,8 +202,7 @@ void timeline(const Ui& ui) {
   ImGui::EndGroup();
   ImGui::SameLine(0, gap);
   ImGui::BeginGroup();
-  caption(ui, "Flood",
-          grouped(playback.playhead()) + " of " + grouped(playback.capacity()) + " faces", right);
+  caption(ui, "Flood", momentFigure(playback), right);
   scrubber(ui, right, height);
   ImGui::EndGroup();
 }

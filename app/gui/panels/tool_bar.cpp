@@ -64,6 +64,10 @@ void transport(const Ui& ui, float height) {
   ImGui::SameLine(0, tight);
   iconButton(ui, Icon::StepForward, "step", size);
   ImGui::SameLine(0, tight);
+  iconButton(ui, Icon::StepChart, "step-chart", size);
+  ImGui::SameLine(0, tight);
+  iconButton(ui, Icon::StepMany, "step-many", size);
+  ImGui::SameLine(0, tight);
   iconButton(ui, Icon::ToEnd, "finish", size);
   ImGui::SameLine(0, ui.px(12));
   iconButton(ui, Icon::NextRound, "iteration", size);
