@@ -352,10 +352,7 @@ void Pipeline::recall(std::size_t iteration, Progress& progress) {
   const auto kept = floods_.records();
   std::shared_ptr<const FloodRecord> record = iteration < kept.size() ? kept[iteration] : nullptr;
   if (!record) record = stepper_->replay(iteration, progress);
-  if (record) return floods_.recall(iteration, std::move(record));
-  if (progress.cancelled()) return;
-  tell(Notice::Kind::Info, "The steps of round " + std::to_string(iteration + 1) +
-                               " are no longer kept; use the round to see its charts.");
+  if (record) floods_.recall(iteration, std::move(record));
 }
 
 void Pipeline::measure() {

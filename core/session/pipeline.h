@@ -47,7 +47,7 @@ class Pipeline {
   /// Forgets the present seeds: the next flood begins from the first ones.
   void resetSeeds();
   StepOutcome adopt(std::size_t iteration, Progress& progress);
-  /// Makes the dropped log of a finished round again, for looking at; tells when it cannot.
+  /// Makes the dropped log of a finished round again, for looking at.
   void recall(std::size_t iteration, Progress& progress);
 
   /// Takes a picture of the present labels and measures their charts.

@@ -147,7 +147,7 @@ class Session {
   /// deterministic), so that stepping goes on from there.
   void adoptIteration(std::size_t iteration);
   /// Floods a finished round whose log was dropped once more, so that it can be looked at; the
-  /// state stays. A notice says so where the method cannot.
+  /// state stays.
   void recallRound(std::size_t iteration);
 
   /// The newest results, never null. Cheap; call once a frame.

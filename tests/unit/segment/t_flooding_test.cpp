@@ -256,30 +256,54 @@ TEST_P(BalanceGoal, IsReachedWithDefaults) {
   EXPECT_LE(balanceOf(state->areas.gaussArea).stdOverMean(), GetParam().stdOverMean);
 }
 
-TEST(TFloodingReplay, GivesTheLogOfAnEarlierRoundAndLeavesTheStateAlone) {
+TEST(EveryMethod, MakesTheLogOfAnEarlierRoundAgainAndLeavesTheStateAlone) {
   SegmentOptions options;
   options.charts = 7;
-  const auto stepper =
-      findSegmenter("t-flooding")->make(inputsOf(test::sampleMesh("rocket", 1000)), options);
-  Progress progress;
-  std::vector<std::shared_ptr<const FloodRecord>> logs;
-  for (int round = 0; round < 3; ++round) {
-    stepper->advance(StepUnit::Flood, 1, progress);
-    logs.push_back(stepper->record());
+  const auto in = inputsOf(test::sampleMesh("rocket", 1000));
+  for (const Segmenter& method : segmenterTable()) {
+    const auto stepper = method.make(in, options);
+    Progress progress;
+    std::vector<std::shared_ptr<const FloodRecord>> logs;
+    for (int round = 0; round < 9; ++round) {
+      stepper->advance(StepUnit::Flood, 1, progress);
+      logs.push_back(stepper->record());
+    }
+    stepper->advance(StepUnit::Face, 50, progress);
+    const auto before = stepper->record();
+    for (std::size_t round = 0; round < logs.size(); ++round) {
+      const auto again = stepper->replay(round, progress);
+      ASSERT_EQ(again->size(), logs[round]->size());
+      for (std::size_t i = 0; i < again->size(); ++i) {
+        ASSERT_EQ((*again)[i].face, (*logs[round])[i].face) << method.id;
+        ASSERT_EQ((*again)[i].chart, (*logs[round])[i].chart) << method.id;
+        ASSERT_EQ((*again)[i].time, (*logs[round])[i].time) << method.id;
+      }
+    }
+    EXPECT_EQ(stepper->record(), before) << method.id;
+    EXPECT_EQ(before->size(), 50u) << method.id;
   }
-  stepper->advance(StepUnit::Face, 50, progress);
-  const auto before = stepper->record();
-  for (std::size_t round = 0; round < logs.size(); ++round) {
-    const auto again = stepper->replay(round, progress);
-    ASSERT_EQ(again->size(), logs[round]->size());
-    for (std::size_t i = 0; i < again->size(); ++i) {
-      ASSERT_EQ((*again)[i].face, (*logs[round])[i].face);
-      ASSERT_EQ((*again)[i].chart, (*logs[round])[i].chart);
-      ASSERT_EQ((*again)[i].time, (*logs[round])[i].time);
+}
+
+TEST(EveryMethod, KeepsTheLastRoundWhereThatIsWished) {
+  SegmentOptions options;
+  options.charts = 7;
+  options.keepLast = true;
+  options.refine.kind = RefineKind::None;
+  const auto in = inputsOf(test::sampleMesh("rocket", 1000));
+  for (const Segmenter& method : segmenterTable()) {
+    for (const bool record : {true, false}) {
+      options.record = record;
+      const auto stepper = method.make(in, options);
+      Progress progress;
+      stepper->advance(StepUnit::Converged, 1, progress);
+      const auto state = stepper->state();
+      EXPECT_EQ(state->iteration + 1, stepper->history().size()) << method.id;
+      const auto last = stepper->replay(state->iteration, progress);
+      for (std::size_t i = 0; i < last->size(); ++i) {
+        ASSERT_EQ(state->label[(*last)[i].face], (*last)[i].chart) << method.id;
+      }
     }
   }
-  EXPECT_EQ(stepper->record(), before);
-  EXPECT_EQ(before->size(), 50u);
 }
 
 }  // namespace
