@@ -30,13 +30,19 @@ ChartLayer::ChartLayer(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)
 
 void ChartLayer::setSegmentation(const Segmentation* segmentation) {
   labelled_ = segmentation != nullptr;
-  label_.assign(mesh_->triangleCount(), kNone);
   if (segmentation) {
-    for (Index t = 0; t < label_.size(); ++t) label_[t] = segmentation->label[mesh_->faceOf(t)];
     growTo(segmentation->chartCount);
     // Half-grown charts have not met all their neighbours yet: colours wait for the end.
     if (segmentation->complete) recolor(neighbourCharts(*mesh_, segmentation->label));
     setBalance(segmentation->areas.gaussArea);
+  }
+  setLabels(segmentation ? segmentation->label : std::span<const Index>{});
+}
+
+void ChartLayer::setLabels(std::span<const Index> label) {
+  label_.assign(mesh_->triangleCount(), kNone);
+  if (!label.empty()) {
+    for (Index t = 0; t < label_.size(); ++t) label_[t] = label[mesh_->faceOf(t)];
   }
   labels_.upload<Index>(GL_R32UI, label_, GL_DYNAMIC_DRAW);
   uploadSeams();

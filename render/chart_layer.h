@@ -27,6 +27,8 @@ class ChartLayer {
 
   /// Takes the labels and the Gauss areas; null removes them.
   void setSegmentation(const Segmentation* segmentation);
+  /// Other labels of the same charts, one a face: colours and areas stay.
+  void setLabels(std::span<const Index> label);
   /// Gauss areas of the charts at another moment, in place of those of the segmentation.
   void setBalance(std::span<const double> gaussArea);
   /// Makes room for charts known by their seeds alone and gives them colours.

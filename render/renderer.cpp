@@ -75,6 +75,14 @@ std::span<const Index> Renderer::chartColorNumbers() const {
   return charts_ ? charts_->colorNumbers() : std::span<const Index>{};
 }
 
+void Renderer::setLabels(std::span<const Index> label) {
+  if (!mesh_) return;
+  if (!label.empty() && label.size() != mesh_->faceCount()) {
+    throw Error("There must be one label for each face.");
+  }
+  charts_->setLabels(label);
+}
+
 void Renderer::setChartAreas(std::span<const double> gaussArea) {
   if (mesh_) charts_->setBalance(gaussArea);
 }

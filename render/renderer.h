@@ -79,6 +79,8 @@ class Renderer {
   /// The same with the values worked out before, on any thread.
   void setGaussValues(const GaussValues& values);
   void setSegmentation(const Segmentation* segmentation);
+  /// Other labels of the segmentation's charts, one a face, or none; colours of charts stay.
+  void setLabels(std::span<const Index> label);
   /// Colours that the first charts begin with, as numbers of a palette's colours: what
   /// chartColorNumbers() said another day.
   void setChartColors(std::span<const Index> numbers);

@@ -40,7 +40,7 @@ Image drawTexture(const AppState& state, CompareScene& scene) {
 
 /// The settings of a picture of one view: nothing that the mouse points at.
 RenderSettings pictureLook(const PictureRequest& request, RenderSettings settings) {
-  settings.hoverFace = settings.hoverChart = kNone;
+  settings.hoverFace = settings.hoverChart = settings.flashFace = kNone;
   if (request.bare) settings.selectedCharts.clear();
   applyPicture(request.settings, settings);
   return settings;

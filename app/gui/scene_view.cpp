@@ -36,10 +36,11 @@ RenderSettings sceneSettings(const AppState& state, float pixelScale) {
   settings.background = shownGround(settings.background, state.preferences.theme);
   settings.pixelScale = pixelScale;
   settings.playhead.reset();
-  if (!state.showsFinal()) {
+  if (!state.showsFinal() && !state.playback.inBorders()) {
     settings.playhead = state.playback.playhead();
     settings.front = !(state.playback.complete() && state.playback.atEnd());
   }
+  if (state.playback.inBorders()) settings.cuts = false;  // they are of the finished charts
   settings.hoverFace = state.hoveredFace;
   settings.flashFace = state.flash.face();
   settings.hoverChart = state.pointedChart;
@@ -181,6 +182,16 @@ void SceneView::takeFlood(std::shared_ptr<const FloodRecord> record) {
   }
 }
 
+/// Labels of a moment of the refinement, or the finished ones again.
+void SceneView::takeBorders(const AppState& state) {
+  std::optional<std::size_t> step;
+  if (state.playback.inBorders() && segmentation_) step = state.playback.borderStep();
+  if (step == borderStep_) return;
+  borderStep_ = step;
+  renderer_.setLabels(step ? state.shownLabels() : std::span<const Index>(segmentation_->label));
+  ++content_;
+}
+
 /// Colours of balance are those of the moment.
 void SceneView::takeAreas(const AppState& state) {
   const auto& stats = state.shownStats();
@@ -253,10 +264,12 @@ void SceneView::takeIn(const AppState& state) {
     segmentation_ = results.segmentation;
     renderer_.setSegmentation(segmentation_.get());
     stats_.reset();
+    borderStep_.reset();
     ++content_;
   }
   if (pane_.live()) {
     takeFlood(state.film.ready() ? state.film.flood() : state.playback.record());
+    takeBorders(state);
     takeAreas(state);
   } else {
     takeFlood(results.record);

@@ -95,6 +95,7 @@ class SceneView : public SceneSource {
   void takeMesh(const AppState& state, const Results& results);
   void takeDerived(const AppState& state, const Results& results);
   void takeFlood(std::shared_ptr<const FloodRecord> record);
+  void takeBorders(const AppState& state);
   void takeAreas(const AppState& state);
   void takeSeeds(const AppState& state);
   void takeFilm(const AppState& state);
@@ -120,6 +121,7 @@ class SceneView : public SceneSource {
 
   std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const Segmentation> segmentation_;
+  std::optional<std::size_t> borderStep_;    ///< of the refinement, whose labels are shown
   std::shared_ptr<const ChartStats> stats_;  ///< whose areas colour the balance
   std::shared_ptr<const FloodRecord> record_;
   std::size_t recorded_ = 0;  ///< entries that the record had at the last look

@@ -16,6 +16,10 @@ std::string needsRun(const AppState& state) {
   return state.playback.rounds() == 0 ? "Nothing is flooded yet; press Play." : "";
 }
 
+std::string needsBorders(const AppState& state) {
+  return state.playback.borderSteps() == 0 ? "No borders were refined yet; run to the end." : "";
+}
+
 void goToRound(AppState& state, const Arguments& a) {
   const long round = a.integer("round");
   const std::size_t rounds = state.playback.rounds();
@@ -46,6 +50,16 @@ void addRunActions(ActionRegistry& registry) {
                               {"count", ArgumentType::Integer, "triangles taken", false}},
                 .refusal = needsRun,
                 .run = goToRound});
+  registry.add({.id = "go-to-border",
+                .title = "Go to a new border",
+                .help = "Shows the charts as they were after so many steps of the refinement of "
+                        "borders, which follows the kept round.",
+                .arguments = {{"count", ArgumentType::Integer, "borders laid anew"}},
+                .refusal = needsBorders,
+                .run = [](AppState& state, const Arguments& a) {
+                  const long count = std::max(0L, a.integer("count"));
+                  state.playback.goToBorder(static_cast<std::size_t>(count));
+                }});
   registry.add({.id = "run-start",
                 .title = "Start of the run",
                 .help = "Shows the dry model before the first round.",

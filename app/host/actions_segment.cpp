@@ -13,10 +13,6 @@ namespace {
 
 constexpr const char* kNoMesh = "There is no model yet; open one first.";
 
-bool finished(const AppState& state) {
-  return state.results().stopReason != StopReason::NotStopped;
-}
-
 std::string needsMesh(const AppState& state) { return state.hasMesh() ? "" : kNoMesh; }
 
 std::string needsRecord(const AppState& state) {
@@ -26,7 +22,8 @@ std::string needsRecord(const AppState& state) {
 
 std::string needsMoreToFlood(const AppState& state) {
   if (!state.hasMesh()) return kNoMesh;
-  const bool over = finished(state) && state.playback.atEndOfRun() && state.playback.complete();
+  const bool over =
+      state.results().finished && state.playback.atEndOfRun() && state.playback.complete();
   return over ? "The segmentation is finished; reset it or change a parameter to go on." : "";
 }
 
@@ -100,10 +97,11 @@ void addTransport(ActionRegistry& registry) {
   addStep(registry);
   registry.add({.id = "finish",
                 .title = "Finish this flood",
-                .help = "Goes to the end of the round shown.",
+                .help = "Goes to the end of the round shown, or of the refinement of borders.",
                 .arguments = {},
                 .refusal = needsMoreToFlood,
                 .run = [](AppState& state, const Arguments&) {
+                  if (state.playback.showsBorders()) return state.playback.follow();
                   if (state.playback.complete()) {
                     return state.playback.seek(state.playback.capacity());
                   }
@@ -121,10 +119,13 @@ void addTransport(ActionRegistry& registry) {
                 }});
   registry.add({.id = "first",
                 .title = "First step",
-                .help = "Shows the start of the round shown.",
+                .help = "Shows the start of the round shown, or of the refinement of borders.",
                 .arguments = {},
                 .refusal = needsRecord,
-                .run = [](AppState& state, const Arguments&) { state.playback.seek(0); }});
+                .run = [](AppState& state, const Arguments&) {
+                  state.playback.showsBorders() ? state.playback.goToBorder(0)
+                                                : state.playback.seek(0);
+                }});
   registry.bind("Home", "first");
   registry.add({.id = "last",
                 .title = "Last step",
@@ -132,6 +133,7 @@ void addTransport(ActionRegistry& registry) {
                 .arguments = {},
                 .refusal = needsRecord,
                 .run = [](AppState& state, const Arguments&) {
+                  if (state.playback.showsBorders()) return state.playback.follow();
                   state.playback.seek(state.playback.capacity());
                 }});
   registry.bind("End", "last");

@@ -50,13 +50,18 @@ void AppState::update(double seconds) {
 void AppState::movePlayback(double seconds) {
   const bool stopped = results_->stopReason != StopReason::NotStopped;
   request(playback.update({hasMesh(), results_->record, changing(), stopped, results_->finished,
-                           results_->recordIteration, results_->floods},
+                           results_->recordIteration, results_->floods,
+                           results_->seamRecord ? results_->seamRecord->steps.size() : 0},
                           seconds));
   const std::size_t missing = playback.missingRound().value_or(kNoRound);
   if (missing != kNoRound && missing != recalled_) session_.recallRound(missing);
   recalled_ = missing;
   flash.update(playback, seconds);
-  if (!showsFinal()) moment_.show(*results_, playback.record(), playback.playhead());
+  if (playback.inBorders()) {
+    moment_.showBorders(*results_, playback.borderStep());
+  } else if (!showsFinal()) {
+    moment_.show(*results_, playback.record(), playback.playhead());
+  }
 }
 
 void AppState::takeNewMesh() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -83,9 +84,10 @@ void addGauss(const HistogramSource& source, const RenderSettings& settings,
 
 void addBalance(const HistogramSource& source, const RenderSettings& settings,
                 std::vector<ModeHistogram>& out) {
-  if (!source.stats || !source.segmentation) return;
-  const std::vector<float> balance = balanceValues(source.segmentation->areas.gaussArea);
-  if (balance.empty() || balance.size() != source.stats->charts.size()) return;
+  if (!source.stats || source.stats->charts.empty()) return;
+  std::vector<double> areas;
+  for (const ChartFigures& chart : source.stats->charts) areas.push_back(chart.gaussArea);
+  const std::vector<float> balance = balanceValues(areas);
   Values values;
   for (std::size_t c = 0; c < balance.size(); ++c) {
     values.push_back({double{balance[c]}, source.stats->charts[c].area});
@@ -103,7 +105,7 @@ double faceArea(const Mesh& mesh, Index face) {
 
 void addFlood(const HistogramSource& source, const RenderSettings& settings,
               std::vector<ModeHistogram>& out) {
-  if (!source.record || !source.mesh || source.recorded == 0) return;
+  if (!source.record || !source.mesh || source.taken == 0) return;
   const FloodRecord& record = *source.record;
   const bool order = settings.colorMode == ColorMode::FloodOrder;
   std::vector<double> longest;
@@ -113,16 +115,25 @@ void addFlood(const HistogramSource& source, const RenderSettings& settings,
     longest[entry.chart] = std::max(longest[entry.chart], double{entry.time});
   }
   Values values;
-  values.reserve(source.recorded);
+  values.reserve(source.taken + 1);
+  double dry = 0;
+  for (const double area : source.mesh->triangleArea()) dry += area;
   const auto all = static_cast<double>(source.mesh->faceCount());
-  for (std::size_t i = 0; i < source.recorded; ++i) {
+  for (std::size_t i = 0; i < source.taken; ++i) {
     const Incorporation& entry = record[i];
     const double whole = longest[entry.chart];
     const double time = whole > 0 ? double{entry.time} / whole : 0;
-    values.push_back(
-        {order ? static_cast<double>(i) / all : time, faceArea(*source.mesh, entry.face)});
+    const double area = faceArea(*source.mesh, entry.face);
+    values.push_back({order ? static_cast<double>(i) / all : time, area});
+    dry -= area;
+  }
+  // Shares are of the whole surface, so that bars stay where they are while more of it is taken.
+  if (source.taken < source.mesh->faceCount()) {
+    values.push_back({std::numeric_limits<double>::quiet_NaN(), dry});
   }
   out.push_back(binned(values, ScalarRange{}, settings.colorMode, kOfSurface, settings));
+  Histogram& histogram = out.back().histogram;
+  for (double& share : histogram.share) share *= 1 - histogram.missing;
 }
 
 void addDistortion(const HistogramSource& source, const RenderSettings& settings,

@@ -17,10 +17,11 @@ namespace chartflood {
 
 /// Shares of a total weight, in bins that are evenly wide on the colour bar.
 struct Histogram {
-  std::vector<double> share;  ///< of each bin, in [0, 1]; they sum to 1, or to 0 without values
-  double below = 0;           ///< share under the range, counted in the first bin
-  double above = 0;           ///< share over the range, counted in the last bin
-  double missing = 0;         ///< share of all weight that has no value (NaN); not in the bins
+  /// Of each bin, in [0, 1]; they sum to 1, or to 0 without values, in a flood to its taken share.
+  std::vector<double> share;
+  double below = 0;    ///< share under the range, counted in the first bin
+  double above = 0;    ///< share over the range, counted in the last bin
+  double missing = 0;  ///< share of all weight that has no value (NaN); not in the bins
 };
 
 /// Values without weight are left out. Cost: linear.
@@ -42,11 +43,11 @@ struct ModeHistogram {
 struct HistogramSource {
   std::shared_ptr<const SurfaceDerived> surface;
   std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const ChartStats> stats;
-  std::shared_ptr<const Segmentation> segmentation;
+  std::shared_ptr<const ChartStats> stats;  ///< of the moment
   std::shared_ptr<const Unwrap> unwrap;
   std::shared_ptr<const FloodRecord> record;
-  std::size_t recorded = 0;  ///< entries of `record` to be counted
+  std::size_t recorded = 0;  ///< entries that `record` had
+  std::size_t taken = 0;     ///< the first so many of them are to be counted
 };
 
 /// One histogram for most modes, three for Gauss area of all elements (faces, edges, vertices),

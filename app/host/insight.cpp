@@ -1,5 +1,6 @@
 #include "app/host/insight.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "core/gauss/sector_normals.h"
@@ -55,29 +56,22 @@ std::shared_ptr<const std::vector<Problem>> Insight::problems(const Results& res
 }
 
 std::shared_ptr<const std::vector<ModeHistogram>>
-Insight::histograms(const Results& results, const RenderSettings& settings, bool busy) {
-  HistogramSource source{surface(results),
-                         results.mesh,
-                         results.chartStats,
-                         results.segmentation,
-                         results.unwrap,
-                         results.record,
-                         0};
-  HistogramKey key{source.surface, nullptr, 0, settings.colorMode, settings.scale, settings.range};
+Insight::histograms(const Results& results, const ShownMoment& moment,
+                    const RenderSettings& settings) {
+  HistogramSource source{
+      surface(results), results.mesh, moment.stats, results.unwrap, moment.record, 0, moment.taken};
+  HistogramKey key{source.surface, nullptr,       0, 0, settings.colorMode,
+                   settings.scale, settings.range};
   switch (settings.colorMode) {
   case ColorMode::Balance:
-    key.values = results.segmentation;
-    key.weights = results.chartStats;
+    key.values = moment.stats;
     break;
   case ColorMode::FloodTime:
   case ColorMode::FloodOrder:
-    key.values = results.record;
+    key.values = moment.record;
     key.weights = results.mesh;
-    if (results.record && (!busy || counted_ != results.record)) {
-      counted_ = results.record;
-      recorded_ = counted_->size();
-    }
-    key.recorded = source.recorded = results.record ? recorded_ : 0;
+    key.recorded = source.recorded = moment.record ? moment.record->size() : 0;
+    key.taken = source.taken = std::min(moment.taken, source.recorded);
     break;
   case ColorMode::Stretch:
   case ColorMode::AreaDistortion:

@@ -17,6 +17,13 @@
 
 namespace chartflood {
 
+/// The moment of a flood that is shown.
+struct ShownMoment {
+  std::shared_ptr<const ChartStats> stats;
+  std::shared_ptr<const FloodRecord> record;
+  std::size_t taken = 0;  ///< entries of `record`
+};
+
 /// Each call gives what is ready now: null at first, and the older value while a new one is worked
 /// out on a thread of its own. Call from one thread.
 class Insight {
@@ -30,9 +37,9 @@ class Insight {
   /// Null until it belongs to the mesh of the results.
   std::shared_ptr<const SurfaceDerived> surface(const Results& results);
   std::shared_ptr<const std::vector<Problem>> problems(const Results& results);
-  /// Histograms of the present colour mode. A record is not followed while it grows (`busy`).
+  /// Histograms of the present colour mode at a moment.
   std::shared_ptr<const std::vector<ModeHistogram>>
-  histograms(const Results& results, const RenderSettings& settings, bool busy);
+  histograms(const Results& results, const ShownMoment& moment, const RenderSettings& settings);
   /// Normals of a chart; null until it belongs to that chart of the present labels.
   std::shared_ptr<const SpherePatch> patch(const Results& results, Index chart);
   std::shared_ptr<const std::vector<SphereDot>> dots(const Results& results);
@@ -50,7 +57,7 @@ class Insight {
   /// What a histogram depends on, and how it is cut.
   struct HistogramKey {
     std::shared_ptr<const void> values, weights;
-    std::size_t recorded = 0;
+    std::size_t recorded = 0, taken = 0;
     ColorMode mode{};
     std::optional<ScalarScale> scale;
     std::optional<std::pair<double, double>> range;
@@ -68,8 +75,6 @@ class Insight {
             Problems>
       problems_;
   LazyValue<HistogramKey, Histograms> histograms_;
-  std::shared_ptr<const FloodRecord> counted_;  ///< the record of the last histogram
-  std::size_t recorded_ = 0;                    ///< how much of it
   LazyValue<
       std::tuple<std::shared_ptr<const SurfaceDerived>, std::shared_ptr<const Segmentation>, Index>,
       OwnedPatch>

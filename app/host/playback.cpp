@@ -19,7 +19,13 @@ std::optional<std::size_t> Playback::missingRound() const {
 }
 
 std::size_t Playback::playhead() const {
-  return following_ ? recorded() : std::min(static_cast<std::size_t>(position_), recorded());
+  return following_ || inBorders_ ? recorded()
+                                  : std::min(static_cast<std::size_t>(position_), recorded());
+}
+
+std::size_t Playback::borderStep() const {
+  if (inBorders_) return static_cast<std::size_t>(position_);
+  return atFinal() ? borderSteps_ : 0;
 }
 
 bool Playback::atEndOfRun() const {
@@ -34,6 +40,7 @@ double Playback::speed() const {
 /// In a round of the run; the worker's where the round is still under way.
 void Playback::stand(std::size_t round, std::size_t count) {
   following_ = false;
+  inBorders_ = false;
   onLive_ = round >= rounds_.size();
   round_ = onLive_ ? 0 : round;
   position_ = static_cast<double>(count);
@@ -41,10 +48,17 @@ void Playback::stand(std::size_t round, std::size_t count) {
 
 /// From following to the same moment as a place of its own.
 void Playback::leaveEnd() {
-  if (!following_) return;
-  following_ = false;
+  if (!following_ && !inBorders_) return;
+  following_ = inBorders_ = false;
   onLive_ = true;
   position_ = static_cast<double>(recorded());
+}
+
+void Playback::enterBorders(double step) {
+  following_ = step >= static_cast<double>(borderSteps_);
+  inBorders_ = !following_;
+  onLive_ = true;
+  position_ = step;
 }
 
 void Playback::seek(std::size_t count) {
@@ -57,19 +71,30 @@ void Playback::seek(std::size_t count) {
 
 void Playback::goTo(std::size_t round, std::size_t count) {
   if (!live_ || round >= rounds()) return follow();
-  if (following_ && round == liveRound_) return seek(count);
+  if ((following_ || inBorders_) && round == liveRound_) return seek(count);
   stand(round, count);
   seek(count);
+}
+
+void Playback::goToBorder(std::size_t step) {
+  if (!finished_) return follow();
+  mode_ = Mode::Paused;
+  enterBorders(static_cast<double>(step));
 }
 
 void Playback::follow() {
   mode_ = Mode::Paused;
   following_ = true;
+  inBorders_ = false;
 }
 
 std::optional<StepRequest> Playback::stepForward(std::size_t count) {
   mode_ = Mode::Paused;
   while (!following_) {
+    if (inBorders_) {
+      goToBorder(borderStep() + count);
+      return std::nullopt;
+    }
     const std::size_t end = missingRound() ? capacity() : recorded();
     const std::size_t now = std::min(static_cast<std::size_t>(position_), end);
     if (now + count <= end) {
@@ -77,11 +102,13 @@ std::optional<StepRequest> Playback::stepForward(std::size_t count) {
       return std::nullopt;
     }
     count -= end - now;
-    if (lastRound()) {
-      follow();
-      if (finished_) return std::nullopt;  // the step leads to the finished charts
-    } else {
+    if (!lastRound()) {
       stand(round() + 1, 0);
+    } else if (finished_) {  // one step leads to the round that is kept
+      goToBorder(count - 1);
+      return std::nullopt;
+    } else {
+      follow();
     }
   }
   if (finished_) return std::nullopt;
@@ -100,7 +127,11 @@ std::optional<StepRequest> Playback::stepChart(Index chart) {
 void Playback::stepBack(std::size_t count) {
   mode_ = Mode::Paused;
   if (!live_) return;
-  if (atFinal() && count > 0) --count;  // the finished charts are a step behind the flood
+  if (atFinal() || inBorders_) {
+    if (count <= borderStep()) return goToBorder(borderStep() - count);
+    count -= borderStep() + 1;
+    stand(rounds() - 1, capacity());
+  }
   leaveEnd();
   while (count >= playhead() && round() > 0) {
     count -= playhead();
@@ -118,34 +149,42 @@ std::optional<StepRequest> Playback::ask(StepRequest request) {
 }
 
 std::optional<StepRequest> Playback::askWhenDone(const Source& source) {
-  if (missingRound()) return std::nullopt;
+  if (missingRound() || inBorders_) return std::nullopt;
   if (!complete()) return ask({StepUnit::Flood, 1});
   if (!atEnd()) return std::nullopt;
   if (!lastRound()) {
     if (mode_ == Mode::OneFlood) mode_ = Mode::Paused;
     return std::nullopt;
   }
-  if (mode_ == Mode::OneFlood || source.stopped) {
+  // After a stop rule one more step of the worker finishes the charts.
+  if (mode_ == Mode::OneFlood || (source.stopped && finished_)) {
     follow();
     return std::nullopt;
   }
   return ask({StepUnit::Iteration, 1});
 }
 
-/// Follows what the worker has, and keeps the place in the run.
+/// Follows what the worker has.
 void Playback::take(const Source& source) {
-  const bool another = source.record != live_;
-  const auto old = live_;
+  const auto before = live_;
   live_ = source.record;
   liveRound_ = source.round;
   finished_ = source.finished;
+  borderSteps_ = source.finished ? source.borderSteps : 0;
   rounds_.assign(source.rounds.begin(), source.rounds.end());
-  if (another) waiting_ = false;
+  if (live_ != before) waiting_ = false;
+  if (inBorders_ && (live_ != before || borderStep() >= borderSteps_)) follow();
+  keepPlace(before);
+}
+
+/// Keeps the place in the run when the worker has gone on from its flood of `before`.
+void Playback::keepPlace(const std::shared_ptr<const FloodRecord>& before) {
+  const bool another = live_ != before;
   if (onLive_ && another) {
     // The flood that was shown is a finished round now, or was begun again.
-    const auto kept = std::find(rounds_.begin(), rounds_.end(), old);
-    if (old && kept != rounds_.end()) {
-      position_ = std::min(position_, static_cast<double>(old->size()));
+    const auto kept = std::find(rounds_.begin(), rounds_.end(), before);
+    if (before && kept != rounds_.end()) {
+      position_ = std::min(position_, static_cast<double>(before->size()));
       onLive_ = false;
       round_ = static_cast<std::size_t>(kept - rounds_.begin());
       return;
@@ -165,9 +204,18 @@ void Playback::take(const Source& source) {
   }
 }
 
+/// At the pace at which floods are played.
+void Playback::playBorders(double seconds) {
+  const double faster = speed() * kDefaultSeconds / std::max(1.0, static_cast<double>(capacity()));
+  const double perSecond = static_cast<double>(borderSteps_) / kBorderSeconds * faster;
+  enterBorders(position_ + std::max(0.0, seconds) * perSecond);
+  if (following_) mode_ = Mode::Paused;
+}
+
 void Playback::playOn(const Source& source, double seconds) {
+  if (inBorders_) return playBorders(seconds);
   if (following_) {  // play was pressed: a finished run starts over, a part of one goes on
-    const bool over = complete() && source.stopped;
+    const bool over = complete() && source.finished;
     leaveEnd();
     if (over) stand(0, 0);
   }
@@ -178,6 +226,8 @@ void Playback::playOn(const Source& source, double seconds) {
     const bool goesOn = mode_ == Mode::Running && complete() && !lastRound();
     if (!goesOn) {
       position_ = static_cast<double>(recorded());
+      const bool atLast = mode_ == Mode::Running && complete() && lastRound();
+      if (atLast && borderSteps_ > 0) enterBorders(0);
       break;
     }
     const double rest = position_ - static_cast<double>(recorded());
@@ -192,7 +242,7 @@ std::optional<StepRequest> Playback::update(const Source& source, double seconds
   if (!playing() || !source.hasMesh) return std::nullopt;
   playOn(source, seconds);
   if (source.busy) return std::nullopt;
-  if (waiting_ && recorded() == recordedWhenAsked_ && !source.stopped) {
+  if (waiting_ && recorded() == recordedWhenAsked_ && !source.finished) {
     waiting_ = false;  // the worker had nothing to give: stopped or failed
     mode_ = Mode::Paused;
     following_ = true;

@@ -23,8 +23,8 @@ struct StepRequest {
 };
 
 /// The transport over a whole run: the logs of its finished rounds, the flood under way, and after
-/// a stop rule the finished charts as the last picture. Knows no session: `update` is told what
-/// there is and answers with what to ask for.
+/// a stop rule the steps that refined the borders, with the finished charts as the last picture.
+/// Knows no session: `update` is told what there is and answers with what to ask for.
 class Playback {
  public:
   enum class Mode {
@@ -36,6 +36,8 @@ class Playback {
   static constexpr double kSlowest = 1, kFastest = 1e6;
   /// At the default speed a whole flood takes this long.
   static constexpr double kDefaultSeconds = 3;
+  /// And the refinement of borders this long.
+  static constexpr double kBorderSeconds = 5;
 
   /// What the session has to offer in this moment.
   struct Source {
@@ -47,6 +49,7 @@ class Playback {
     std::size_t round = 0;                      ///< of `record`
     /// Logs of the finished rounds, null where one was dropped.
     std::span<const std::shared_ptr<const FloodRecord>> rounds = {};
+    std::size_t borderSteps = 0;  ///< of the refinement that led to the finished charts
   };
 
   /// Moves on by `seconds` of time and follows the worker. Returns the step that is needed to go
@@ -64,11 +67,15 @@ class Playback {
   /// Shows a round at a moment; behind the last one the finished charts or the end of what there
   /// is. Pauses.
   void goTo(std::size_t round, std::size_t count);
-  /// One or more triangles on: from the logs while they reach, then by a step of the worker.
+  /// Shows the borders after so many steps of their refinement, all of them being the finished
+  /// charts, which also stand for what there is not. Pauses.
+  void goToBorder(std::size_t step);
+  /// One or more triangles on: from the logs while they reach, then by a step of the worker; steps
+  /// of the refinement count like triangles.
   std::optional<StepRequest> stepForward(std::size_t count);
   /// To the next triangle that `chart` takes in the round shown, to its end where none comes.
   std::optional<StepRequest> stepChart(Index chart);
-  /// Gives triangles back, those of earlier rounds as well.
+  /// The way back, through earlier rounds as well.
   void stepBack(std::size_t count);
   /// To the end of the run, following it as it grows; pauses.
   void follow();
@@ -82,6 +89,13 @@ class Playback {
   /// True when the finished charts are shown, which are behind the last flood.
   bool atFinal() const { return following_ && finished_; }
   bool hasFinal() const { return finished_; }
+  /// Between the last flood and the finished charts.
+  bool inBorders() const { return inBorders_; }
+  /// Steps of the refinement, 0 without one, and how many of them are shown.
+  std::size_t borderSteps() const { return borderSteps_; }
+  std::size_t borderStep() const;
+  /// The moment is one of the refinement, of which the finished charts are the last.
+  bool showsBorders() const { return inBorders_ || (atFinal() && borderSteps_ > 0); }
   /// True when the shown round is the one that the worker stands at.
   bool onWorkersRound() const { return record() == live_; }
   /// The round shown when its log must be made again first.
@@ -108,20 +122,25 @@ class Playback {
   void take(const Source& source);
   void stand(std::size_t round, std::size_t count);
   void leaveEnd();
+  void enterBorders(double step);
   bool lastRound() const { return round() + 1 >= rounds(); }
   void playOn(const Source& source, double seconds);
+  void playBorders(double seconds);
+  void keepPlace(const std::shared_ptr<const FloodRecord>& before);
   std::optional<StepRequest> askWhenDone(const Source& source);
   std::optional<StepRequest> ask(StepRequest request);
 
   std::shared_ptr<const FloodRecord> live_;  ///< the worker's
   std::size_t liveRound_ = 0;
   bool finished_ = false;
+  std::size_t borderSteps_ = 0;
   std::vector<std::shared_ptr<const FloodRecord>> rounds_;
   Mode mode_ = Mode::Paused;
-  bool following_ = true;  ///< the playhead sticks to the end of the run
-  bool onLive_ = false;    ///< it is in the worker's flood, wherever that is
-  std::size_t round_ = 0;  ///< where it is otherwise
-  double position_ = 0;    ///< of the playhead while it does not follow
+  bool following_ = true;   ///< the playhead sticks to the end of the run
+  bool onLive_ = false;     ///< it is in the worker's flood, wherever that is
+  bool inBorders_ = false;  ///< or behind it in the refinement
+  std::size_t round_ = 0;   ///< where it is otherwise
+  double position_ = 0;     ///< of the playhead while it does not follow; in faces or steps
   double chosenSpeed_ = 0;
   bool waiting_ = false;  ///< a step was asked for and nothing has come of it yet
   std::size_t recordedWhenAsked_ = 0;

@@ -23,7 +23,7 @@ class StepFlash {
   void update(const Playback& playback, double seconds) {
     left_ = std::max(0.0, left_ - seconds);
     if (left_ == 0) face_ = kNone;
-    if (playback.playing()) due_ = false;
+    if (playback.playing() || playback.inBorders()) due_ = false;
     if (!due_ || momentOf(playback) == from_ || playback.playhead() == 0) return;
     due_ = false;
     face_ = (*playback.record())[playback.playhead() - 1].face;

@@ -49,6 +49,7 @@ BorderRefiner::BorderRefiner(const SegmentInputs& inputs, std::span<const double
     cuts_ = std::make_unique<SeamCuts>(*in_.mesh, *in_.gaussArea, faceGauss_, label_, charts_,
                                        seeds_, cuts);
   } else if (options_.kind == RefineKind::Moves) {
+    start_ = label_;
     beginMoves();
   }
 }
@@ -79,7 +80,7 @@ bool BorderRefiner::run(Progress& progress) {
     if (!moves_->run(progress)) return false;
     label_.assign(moves_->labels().begin(), moves_->labels().end());
   }
-  if (cuts_) finishRecord();
+  if (cuts_ || moves_) finishRecord();
   cuts_.reset();
   moves_.reset();
   done_ = true;
@@ -87,8 +88,11 @@ bool BorderRefiner::run(Progress& progress) {
 }
 
 void BorderRefiner::finishRecord() {
-  auto record = std::make_shared<SeamRecord>(cuts_->record());
-  addDifference(*record, cuts_->labels(), label_);
+  // Moves are sweeps over all borders at once: their steps are the differences they made, pair by
+  // pair of charts.
+  auto record = cuts_ ? std::make_shared<SeamRecord>(cuts_->record())
+                      : std::make_shared<SeamRecord>(SeamRecord{std::move(start_), {}, {}});
+  addDifference(*record, cuts_ ? cuts_->labels() : std::span<const Index>(record->start), label_);
   record_ = std::move(record);
 }
 

@@ -27,7 +27,7 @@ class BorderRefiner {
   bool run(Progress& progress);
 
   std::span<const Index> labels() const { return label_; }
-  /// The steps of the seam cuts; null before run() is done and when there were none.
+  /// What was done, step by step; null before run() is done and when nothing was to do.
   std::shared_ptr<const SeamRecord> record() const { return record_; }
 
  private:
@@ -39,6 +39,7 @@ class BorderRefiner {
   std::span<const double> faceGauss_;
   RefineOptions options_;
   std::vector<Index> label_;
+  std::vector<Index> start_;  ///< labels before moves without cuts
   std::size_t charts_;
   std::vector<Index> seeds_;
   std::unique_ptr<SeamCuts> cuts_;

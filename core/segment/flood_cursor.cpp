@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "core/base/check.h"
+#include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
 
 namespace chartflood {
@@ -32,6 +35,10 @@ FloodCursor::FloodCursor(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const
     : mesh_(std::move(mesh)), firstElement_(mesh_->faceCount() + 1, 0),
       label_(mesh_->faceCount(), kNone) {
   for (const double area : faceGaussArea(*mesh_, *gauss)) faceArea_.push_back(wholeUnits(area));
+  const std::vector<double> surface = faceAreas(*mesh_);
+  surfaceUnit_ = std::ldexp(std::accumulate(surface.begin(), surface.end(), 0.0), -50);
+  if (!(surfaceUnit_ > 0)) surfaceUnit_ = 1;
+  for (const double area : surface) faceSurface_.push_back(std::llround(area / surfaceUnit_));
   std::vector<std::pair<Index, Element>> all;
   for (std::size_t i = 0; i < gauss->sharpEdges.size(); ++i) {
     const Index left = mesh_->faceOf(gauss->sharpEdges[i] / 3);
@@ -55,6 +62,10 @@ double FloodCursor::gaussArea(std::size_t chart) const {
   return std::ldexp(static_cast<double>(area_[chart]), -40);
 }
 
+double FloodCursor::area(std::size_t chart) const {
+  return static_cast<double>(surface_[chart]) * surfaceUnit_;
+}
+
 /// Whether the chart holds all faces of the element.
 bool FloodCursor::holds(const Element& element, Index chart) const {
   if (element.across != kNone) return label_[element.across] == chart;
@@ -75,6 +86,7 @@ void FloodCursor::change(Index face, std::int64_t sign) {
     if (holds(elements_[i], chart)) area += elements_[i].area;
   }
   area_[chart] += sign * area;
+  surface_[chart] += sign * faceSurface_[face];
 }
 
 /// Visits the chart across each side of the face, kNone while that is dry.
@@ -94,6 +106,7 @@ void FloodCursor::take(Index face, Index chart) {
     faces_.resize(chart + 1, 0);
     openSides_.resize(chart + 1, 0);
     area_.resize(chart + 1, 0);
+    surface_.resize(chart + 1, 0);
   }
   acrossSides(face,
               [&](Index other) { other == kNone ? ++openSides_[chart] : --openSides_[other]; });
@@ -110,14 +123,40 @@ void FloodCursor::giveBack(Index face) {
               [&](Index other) { other == kNone ? --openSides_[chart] : ++openSides_[other]; });
 }
 
+/// Carries out one step of the refinement, or takes it back.
+void FloodCursor::playSeam(std::size_t step, bool back) {
+  const SeamStep& s = seams_->steps[step];
+  for (std::size_t k = s.toB; k < s.end; ++k) {
+    const Index face = seams_->faces[k];
+    giveBack(face);
+    take(face, (k < s.toA) == back ? s.a : s.b);
+  }
+}
+
+void FloodCursor::refine(const std::shared_ptr<const SeamRecord>& seams, std::size_t step) {
+  CF_CHECK(record_ && step_ == label_.size());
+  if (seams != seams_) {
+    while (seamStep_ > 0) playSeam(--seamStep_, true);
+    seams_ = seams;
+  }
+  const std::size_t wanted = seams_ ? std::min(step, seams_->steps.size()) : 0;
+  while (seamStep_ < wanted) playSeam(seamStep_++, false);
+  while (seamStep_ > wanted) playSeam(--seamStep_, true);
+}
+
 void FloodCursor::go(const std::shared_ptr<const FloodRecord>& record, std::size_t step) {
   if (record != record_) {
     record_ = record;
+    seams_.reset();
+    seamStep_ = 0;
     step_ = 0;
     std::fill(label_.begin(), label_.end(), kNone);
     faces_.clear();
     openSides_.clear();
     area_.clear();
+    surface_.clear();
+  } else if (seamStep_ > 0) {
+    refine(nullptr, 0);
   }
   const std::size_t wanted = record_ ? std::min(step, record_->size()) : 0;
   for (; step_ < wanted; ++step_) take((*record_)[step_].face, (*record_)[step_].chart);

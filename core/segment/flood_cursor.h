@@ -1,5 +1,5 @@
 #pragma once
-/// Labels and Gauss areas of the charts at any moment of a flood's log.
+/// Labels and areas of the charts at any moment of a flood's log and of the refinement after it.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include "core/model/flood_record.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
+#include "core/model/seam_record.h"
 
 namespace chartflood {
 
@@ -24,6 +25,10 @@ class FloodCursor {
   /// To the moment after the first `step` faces of `record`; null: all dry. Cost: the steps between
   /// two moments of one record, else `step` and what was taken before.
   void go(const std::shared_ptr<const FloodRecord>& record, std::size_t step);
+  /// From a whole flood to the moment after the first `step` steps of the refinement of its
+  /// borders. \pre `seams` begins with the labels of the flood. Cost: the faces of the steps
+  /// between.
+  void refine(const std::shared_ptr<const SeamRecord>& seams, std::size_t step);
 
   std::size_t step() const { return step_; }
   /// Chart of each face, kNone while dry.
@@ -35,6 +40,8 @@ class FloodCursor {
   std::size_t openSides(std::size_t chart) const { return openSides_[chart]; }
   /// A(c), steradians.
   double gaussArea(std::size_t chart) const;
+  /// Surface of the chart, model units; exact to 2^-50 of the whole surface a face.
+  double area(std::size_t chart) const;
 
  private:
   /// A sharp edge of a face, or one of its corners.
@@ -48,18 +55,22 @@ class FloodCursor {
   void take(Index face, Index chart);
   void giveBack(Index face);
   void change(Index face, std::int64_t sign);
+  void playSeam(std::size_t step, bool back);
   template <class Visit>
   void acrossSides(Index face, const Visit& visit) const;
 
   std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const FloodRecord> record_;
   std::size_t step_ = 0;
-  std::vector<std::int64_t> faceArea_;
+  std::shared_ptr<const SeamRecord> seams_;
+  std::size_t seamStep_ = 0;
+  double surfaceUnit_ = 0;
+  std::vector<std::int64_t> faceArea_, faceSurface_;
   std::vector<Index> firstElement_;  ///< of each face, and the end
   std::vector<Element> elements_;
   std::vector<Index> label_;
   std::vector<std::size_t> faces_, openSides_;
-  std::vector<std::int64_t> area_;
+  std::vector<std::int64_t> area_, surface_;
 };
 
 }  // namespace chartflood

@@ -48,7 +48,7 @@ class Stepper {
   virtual std::shared_ptr<const Segmentation> state() const = 0;
   /// Log of the present flood. Grows while advance() runs.
   virtual std::shared_ptr<const FloodRecord> record() const = 0;
-  /// What the refinement of borders did; null before it is done and when it kept no record.
+  /// What the refinement of borders did; null before it is done and when there was none.
   virtual std::shared_ptr<const SeamRecord> seamRecord() const = 0;
   /// Finished rounds, oldest first.
   virtual std::span<const IterationSummary> history() const = 0;

@@ -473,6 +473,7 @@ void Pipeline::reportRounds(Results& results) const {
     results.floods.clear();
     results.bestIteration = 0;
     results.stopReason = StopReason::NotStopped;
+    results.seamRecord.reset();
     return;
   }
   results.history.assign(stepper_->history().begin(), stepper_->history().end());

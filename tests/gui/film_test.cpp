@@ -101,6 +101,55 @@ TEST_F(Film, HomeAndEndAreOfTheRoundAndWithCtrlOfTheRun) {
   EXPECT_TRUE(playback().atFinal());
 }
 
+TEST_F(Film, BordersAreSteppedThroughBackAndForth) {
+  const auto record = results().seamRecord;
+  ASSERT_TRUE(record);
+  ASSERT_EQ(playback().borderSteps(), record->steps.size());
+  ASSERT_GT(record->steps.size(), 3u);
+  std::vector<Index> label = results().segmentation->label;
+  const auto expectLabels = [&] {
+    for (Index f = 0; f < label.size(); ++f) ASSERT_EQ(ui_.state().chartOfFace(f), label[f]) << f;
+    const ChartAreas areas =
+        chartAreas(*results().mesh, *results().gaussArea,
+                   faceGaussArea(*results().mesh, *results().gaussArea), label, 6);
+    for (std::size_t c = 0; c < 6; ++c) {
+      EXPECT_NEAR(ui_.state().shownStats()->charts[c].gaussArea, areas.gaussArea[c], 1e-9);
+    }
+  };
+  for (std::size_t i = record->steps.size(); i-- > 0;) {
+    record->takeBack(i, label);
+    ui_.key("Left");
+    ui_.frames(1);
+    ASSERT_TRUE(playback().inBorders());
+    expectLabels();
+  }
+  EXPECT_EQ(label, record->start);
+  for (std::size_t i = 0; i < record->steps.size(); ++i) {
+    record->play(i, label);
+    ui_.key("Right");
+    ui_.frames(1);
+    expectLabels();
+  }
+  EXPECT_TRUE(ui_.state().showsFinal());
+  EXPECT_EQ(ui_.state().shownStats(), results().chartStats);
+}
+
+TEST_F(Film, TheScrubberGoesThroughTheBordersOfTheFinishedCharts) {
+  ui_.drag("scrubber", 0.9f, 0.5f);
+  EXPECT_TRUE(playback().inBorders());
+  EXPECT_NEAR(static_cast<double>(playback().borderStep()),
+              0.5 * static_cast<double>(playback().borderSteps()), 1.5);
+  ui_.key("Home");
+  EXPECT_EQ(playback().borderStep(), 0u);
+  EXPECT_TRUE(playback().inBorders());
+  ui_.key("End");
+  EXPECT_TRUE(playback().atFinal());
+  run("go-to-border 2");
+  run("go-to-round 1");
+  EXPECT_FALSE(playback().inBorders());
+  expectAgreement();
+}
+
 TEST_F(Film, FiguresComeBackWithTheMoment) {
   run("go-to-round 1 count=300");
   const ChartStats before = *ui_.state().shownStats();
@@ -148,6 +197,23 @@ TEST_F(Film, AStepOfTheSelectedChartTakesItsNextTriangle) {
   const FloodRecord& record = *results().floods[0];
   EXPECT_EQ(record[playback().playhead() - 1].chart, 3u);
   for (std::size_t i = 100; i + 1 < playback().playhead(); ++i) EXPECT_NE(record[i].chart, 3u);
+}
+
+TEST(FilmOfARun, PlayingEndsWithTheFinishedCharts) {
+  HeadlessFrame ui;
+  ui.state().perform(ui.actions(), "set charts 4");
+  ui.state().perform(ui.actions(), "set max-iterations 3");
+  ui.openFlooded("rocket", 800);
+  ui.state().perform(ui.actions(), "speed 1000000");
+  ui.state().perform(ui.actions(), "play");
+  bool borders = false;
+  for (int i = 0; i < 500 && ui.state().playback.playing(); ++i) {
+    ui.frames(1);
+    borders = borders || ui.state().playback.inBorders();
+  }
+  EXPECT_TRUE(ui.state().results().finished);
+  EXPECT_TRUE(ui.state().playback.atFinal());
+  EXPECT_TRUE(borders);
 }
 
 TEST(FilmOfASession, ShowsTheRoundThatWasRestored) {

@@ -97,16 +97,35 @@ class Flooded {
     for (int i = 0; i < 8; ++i) state.update(0.1);
   }
   const Results& results() const { return state.results(); }
+  /// Of the present moment, or after so many steps of the flood.
+  std::shared_ptr<const std::vector<ModeHistogram>> histograms(const RenderSettings& settings,
+                                                               std::size_t taken = ~0ull) {
+    return state.insight().histograms(results(), {state.shownStats(), results().record, taken},
+                                      settings);
+  }
 
   AppState state;
   ActionRegistry actions = makeActionRegistry();
 };
 
+/// The right half holds the surface of the charts above the mean.
+void expectBalance(const ModeHistogram& plot, const ChartStats& stats) {
+  double above = 0, area = 0;
+  for (const ChartFigures& chart : stats.charts) {
+    area += chart.area;
+    if (chart.gaussArea > stats.gaussMean) above += chart.area;
+  }
+  double right = 0;
+  const auto& share = plot.histogram.share;
+  for (std::size_t i = share.size() / 2; i < share.size(); ++i) right += share[i];
+  EXPECT_NEAR(right, above / area, 1e-9);
+}
+
 TEST(ModeHistograms, OneForEachKindOfElementsAndEqualWeights) {
   Flooded cube("cube", 300);
   RenderSettings settings;
   settings.colorMode = ColorMode::Gauss;
-  const auto all = cube.state.insight().histograms(cube.results(), settings, false);
+  const auto all = cube.histograms(settings);
   ASSERT_TRUE(all);
   ASSERT_EQ(all->size(), 3u);
   EXPECT_EQ((*all)[0].range.unit, "sr/d\u00B2");
@@ -125,32 +144,56 @@ TEST(ModeHistograms, FloodOrderOfAFinishedFloodIsAsWideAsTheSurface) {
   Flooded sphere("sphere", 2000);
   RenderSettings settings;
   settings.colorMode = ColorMode::FloodOrder;
-  const auto plots = sphere.state.insight().histograms(sphere.results(), settings, false);
+  const auto plots = sphere.histograms(settings);
   ASSERT_EQ(plots->size(), 1u);
   // Faces of an even sphere are alike: each bin holds about its part.
   for (const double share : (*plots)[0].histogram.share) EXPECT_NEAR(share, 1.0 / 48, 0.01);
-  // A record that grows keeps the shares that it had.
-  EXPECT_EQ(sphere.state.insight().histograms(sphere.results(), settings, true), plots);
   settings.colorMode = ColorMode::Charts;
-  EXPECT_TRUE(sphere.state.insight().histograms(sphere.results(), settings, false)->empty());
+  EXPECT_TRUE(sphere.histograms(settings)->empty());
+}
+
+TEST(ModeHistograms, AnEarlierMomentHasTheBarsOfWhatIsTaken) {
+  Flooded sphere("sphere", 2000);
+  RenderSettings settings;
+  settings.colorMode = ColorMode::FloodOrder;
+  const Histogram whole = (*sphere.histograms(settings))[0].histogram;
+  const Histogram half = (*sphere.histograms(settings, 1000))[0].histogram;
+  for (std::size_t bin = 0; bin < 48; ++bin) {
+    EXPECT_NEAR(half.share[bin], bin < 24 ? whole.share[bin] : 0, 1e-12) << bin;
+  }
+  EXPECT_NEAR(half.missing, 0.5, 0.02);
+  settings.colorMode = ColorMode::FloodTime;
+  double sum = 0;
+  for (const double share : (*sphere.histograms(settings, 1000))[0].histogram.share) sum += share;
+  EXPECT_NEAR(sum, 1 - half.missing, 1e-12);
+}
+
+TEST(ModeHistograms, BalanceFollowsTheMoment) {
+  Flooded torus("torus", 1500);
+  RenderSettings settings;
+  settings.colorMode = ColorMode::Balance;
+  torus.state.playback.seek(700);
+  torus.state.update(0);
+  const ChartStats& stats = *torus.state.shownStats();
+  expectBalance((*torus.histograms(settings))[0], stats);
+  const Mesh& mesh = *torus.results().mesh;
+  double area = 0;
+  for (std::size_t i = 0; i < 700; ++i) {
+    const Index face = (*torus.results().record)[i].face;
+    for (Index t = mesh.triangleBegin(face); t < mesh.triangleBegin(face + 1); ++t) {
+      area += mesh.triangleArea()[t];
+    }
+  }
+  EXPECT_NEAR(stats.surfaceArea, area, 1e-9 * area);
 }
 
 TEST(ModeHistograms, BalanceMatchesTheChartsByArea) {
   Flooded torus("torus", 1500);
   RenderSettings settings;
   settings.colorMode = ColorMode::Balance;
-  const auto plots = torus.state.insight().histograms(torus.results(), settings, false);
+  const auto plots = torus.histograms(settings);
   ASSERT_EQ(plots->size(), 1u);
-  const ChartStats& stats = *torus.results().chartStats;
-  double above = 0, area = 0;
-  for (const ChartFigures& chart : stats.charts) {
-    area += chart.area;
-    if (chart.gaussArea > stats.gaussMean) above += chart.area;
-  }
-  double right = 0;
-  const auto& share = (*plots)[0].histogram.share;
-  for (std::size_t i = share.size() / 2; i < share.size(); ++i) right += share[i];
-  EXPECT_NEAR(right, above / area, 1e-9);
+  expectBalance((*plots)[0], *torus.results().chartStats);
 }
 
 TEST(Thickness, OfKnownOutlines) {

@@ -60,10 +60,22 @@ TEST(Playback, StopsWhenAStopRuleFired) {
   playback.play();
   playback.setSpeed(1000);
   Playback::Source stopped = source(log);
-  stopped.stopped = true;
+  stopped.stopped = stopped.finished = true;
   EXPECT_EQ(playback.update(stopped, 0.05), std::nullopt);
   EXPECT_EQ(playback.playhead(), 50u) << "a finished flood is shown again from its start";
   EXPECT_EQ(playback.update(stopped, 1), std::nullopt);
+  EXPECT_FALSE(playback.playing());
+}
+
+TEST(Playback, AsksForTheFinishedChartsOnceAfterAStopRule) {
+  Playback playback;
+  const auto log = record(100, 100);
+  playback.update(source(log), 0);
+  playback.play();
+  Playback::Source stopped = source(log);
+  stopped.stopped = true;
+  EXPECT_EQ(playback.update(stopped, 0.1), (StepRequest{StepUnit::Iteration, 1}));
+  EXPECT_EQ(playback.update(stopped, 0.1), std::nullopt) << "the worker was stopped";
   EXPECT_FALSE(playback.playing());
 }
 
@@ -120,7 +132,7 @@ class RunPlayback : public testing::Test {
   using Logs = std::vector<std::shared_ptr<const FloodRecord>>;
 
   Playback::Source run() const {
-    return {true, live_, busy_, finished_, finished_, liveRound_, rounds_};
+    return {true, live_, busy_, finished_, finished_, liveRound_, rounds_, borderSteps_};
   }
   void SetUp() override { playback_.update(run(), 0); }
   std::pair<std::size_t, std::size_t> moment() const {
@@ -140,6 +152,7 @@ class RunPlayback : public testing::Test {
   std::shared_ptr<const FloodRecord> live_ = record(100, 10);
   std::size_t liveRound_ = 3;
   bool busy_ = false, finished_ = false;
+  std::size_t borderSteps_ = 0;
   Playback playback_;
 };
 
@@ -213,10 +226,63 @@ TEST_F(RunPlayback, TheFinishedChartsAreTheLastPicture) {
   EXPECT_TRUE(playback_.atEndOfRun());
   playback_.stepBack(1);
   EXPECT_FALSE(playback_.atFinal());
-  EXPECT_EQ(moment(), Moment(1, 100));
+  EXPECT_EQ(moment(), Moment(3, 10));
   playback_.goTo(3, 100);
   EXPECT_FALSE(playback_.atFinal());
   EXPECT_EQ(playback_.stepForward(1), std::nullopt);
+  EXPECT_TRUE(playback_.atFinal());
+}
+
+TEST_F(RunPlayback, StepsOfTheRefinementStandBetweenTheLastRoundAndTheFinishedCharts) {
+  borderSteps_ = 7;
+  finish();
+  EXPECT_TRUE(playback_.atFinal());
+  EXPECT_EQ(playback_.borderStep(), 7u);
+  for (std::size_t left = 7; left > 0; --left) {
+    playback_.stepBack(1);
+    playback_.update(run(), 0);
+    EXPECT_TRUE(playback_.inBorders());
+    EXPECT_EQ(playback_.borderStep(), left - 1);
+    EXPECT_EQ(playback_.record(), live_) << "what was flooded is that of the kept round";
+  }
+  playback_.stepBack(3);
+  EXPECT_EQ(moment(), Moment(3, 8));
+  EXPECT_FALSE(playback_.inBorders());
+  EXPECT_EQ(playback_.stepForward(5), std::nullopt);
+  EXPECT_EQ(playback_.borderStep(), 2u);
+  EXPECT_EQ(playback_.stepForward(100), std::nullopt);
+  EXPECT_TRUE(playback_.atFinal());
+  playback_.stepBack(9);
+  EXPECT_EQ(moment(), Moment(3, 9));
+}
+
+TEST_F(RunPlayback, TheRefinementIsPlayedBehindTheLastRound) {
+  borderSteps_ = 10;
+  live_ = record(100, 100);
+  finish();
+  playback_.goTo(3, 90);
+  playback_.setSpeed(100 / Playback::kDefaultSeconds);
+  playback_.play();
+  playback_.update(run(), 0.5);
+  EXPECT_TRUE(playback_.inBorders());
+  playback_.update(run(), 0.52 * Playback::kBorderSeconds);
+  EXPECT_EQ(playback_.borderStep(), 5u);
+  EXPECT_TRUE(playback_.playing());
+  playback_.update(run(), 0.6 * Playback::kBorderSeconds);
+  EXPECT_TRUE(playback_.atFinal());
+  EXPECT_FALSE(playback_.playing());
+}
+
+TEST_F(RunPlayback, AnotherRunLeavesTheRefinement) {
+  borderSteps_ = 10;
+  finish();
+  playback_.goToBorder(4);
+  live_ = record(100, 100);
+  liveRound_ = 0;
+  rounds_ = {live_};
+  borderSteps_ = 20;
+  playback_.update(run(), 0);
+  EXPECT_FALSE(playback_.inBorders());
   EXPECT_TRUE(playback_.atFinal());
 }
 

@@ -1,5 +1,6 @@
 #include <numeric>
 
+#include "core/base/error.h"
 #include "tests/render/scene.h"
 
 namespace chartflood {
@@ -74,6 +75,52 @@ TEST_F(FloodPixels, ScrubbingBackEqualsSteppingForward) {
   EXPECT_NE(draw(settings), before);
   settings.playhead = 200;
   EXPECT_EQ(draw(settings), before);
+}
+
+/// Whatever the way to a moment: the same picture in every colour mode that a flood has.
+TEST_F(FloodPixels, EveryMomentLooksTheSameOnTheWayBack) {
+  show(test::cube(6));
+  const auto log = std::make_shared<FloodRecord>(mesh_->faceCount());
+  renderer_->setFlood(log);
+  for (const ColorMode mode : {ColorMode::Charts, ColorMode::FloodOrder, ColorMode::FloodTime}) {
+    RenderSettings settings = flat(mode);
+    settings.seams = settings.edges = true;
+    std::vector<Image> forward;
+    for (std::size_t step = 0; step <= 432; step += 48) {
+      // The first time the log is still growing.
+      if (log->size() < step) fill(*log, log->size(), step);
+      renderer_->updateFlood();
+      settings.playhead = step;
+      if (mode != ColorMode::FloodTime || log->size() == 432) forward.push_back(draw(settings));
+    }
+    for (std::size_t i = forward.size(); i-- > 0;) {
+      settings.playhead = 48 * i;
+      EXPECT_EQ(draw(settings), forward[i]) << "after " << 48 * i;
+    }
+  }
+}
+
+TEST_F(FloodPixels, OtherLabelsAndBackGiveTheSamePicture) {
+  show(test::cube(6));
+  const Segmentation labels = cubeSides();
+  renderer_->setSegmentation(&labels);
+  RenderSettings settings = flat(ColorMode::Charts);
+  settings.seams = true;
+  const Image before = draw(settings);
+  std::vector<Index> other = labels.label;
+  const auto seen = seenTriangles();
+  const auto [moved, pixel] = seen[seen.size() / 2];
+  other[moved] = (other[moved] + 1) % 6;
+  renderer_->setLabels(other);
+  const Image changed = draw(settings);
+  EXPECT_NE(changed, before);
+  settings.seams = false;
+  test::expectColor(draw(settings).at(pixel.x, pixel.y),
+                    renderer_->chartColor(other[moved], settings));
+  settings.seams = true;
+  renderer_->setLabels(labels.label);
+  EXPECT_EQ(draw(settings), before);
+  EXPECT_THROW(renderer_->setLabels(std::vector<Index>(3)), Error);
 }
 
 TEST_F(FloodPixels, GoingToAnotherRoundAndBackGivesTheSamePicture) {

@@ -199,8 +199,10 @@ float plotHeight(const Ui& ui, int full, int empty) {
 
 void plotsPanel(const Ui& ui) {
   switchRow(ui, "Largest first", ui.state.panels.barsByValue, "bars-by-value");
-  const auto histograms = ui.state.insight().histograms(ui.state.results(), ui.state.view.render,
-                                                        ui.state.status().busy);
+  const Playback& playback = ui.state.playback;
+  const auto histograms = ui.state.insight().histograms(
+      ui.state.results(), {ui.state.shownStats(), playback.record(), playback.playhead()},
+      ui.state.view.render);
   const int inMode = histograms ? static_cast<int>(histograms->size()) : 0;
   ImGui::BeginChild("plots", {0, 0}, false, ImGuiWindowFlags_NoNav);
   const Results& results = ui.state.results();

@@ -1,5 +1,5 @@
-// The strip of rounds (one bar each, its height the imbalance) and the scrubber over the present
-// flood's record.
+// The strip of rounds (one bar each, its height the imbalance) and the scrubber over the flood of
+// the round shown, or over the refinement of borders that follows.
 
 #include <algorithm>
 #include <cmath>
@@ -59,19 +59,52 @@ struct Cells {
   }
 };
 
-/// The frame round the cell that is shown, and a tick at the moment within its flood.
+/// The moment within what the scrubber goes through: steps, those there are, and all to come.
+struct Reel {
+  const char* title;
+  std::size_t step = 0, recorded = 0, capacity = 0;
+  const char* action;  ///< goes to a step
+  const char* help;
+
+  double share(std::size_t count) const {
+    return capacity == 0 ? 0 : static_cast<double>(count) / static_cast<double>(capacity);
+  }
+};
+
+Reel reelOf(const Playback& playback) {
+  if (playback.showsBorders()) {
+    const std::size_t steps = playback.borderSteps();
+    return {"Borders",
+            playback.borderStep(),
+            steps,
+            steps,
+            "go-to-border",
+            "After the last round the borders of the kept one are laid anew, pair by pair of "
+            "charts. Drag to any of these steps."};
+  }
+  return {"Flood",
+          playback.playhead(),
+          playback.recorded(),
+          playback.capacity(),
+          "seek",
+          "Drag to any moment of this flood. Nothing is computed again."};
+}
+
+/// True when the last cell is shown: the refinement of borders or the finished charts.
+bool behindFloods(const Playback& playback) { return playback.atFinal() || playback.inBorders(); }
+
+/// The frame round the cell that is shown, and a tick at the moment within it.
 void momentMark(const Ui& ui, const Cells& cells) {
   const Playback& playback = ui.state.playback;
   const Palette& p = ui.theme.palette;
-  const std::size_t cell = playback.atFinal() ? playback.rounds() : playback.round();
+  const std::size_t cell = behindFloods(playback) ? playback.rounds() : playback.round();
   const float left = cells.left(cell), right = left + cells.step;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRect({left, cells.low.y}, {right, cells.low.y + cells.height}, p.text, ui.px(2), 0,
                ui.px(1.5f));
-  if (playback.atFinal() || playback.capacity() == 0) return;
-  const float share = static_cast<float>(static_cast<double>(playback.playhead()) /
-                                         static_cast<double>(playback.capacity()));
-  const float x = left + share * cells.step, size = ui.px(4);
+  const Reel reel = reelOf(playback);
+  if (playback.atFinal() || reel.capacity == 0) return;
+  const float x = left + static_cast<float>(reel.share(reel.step)) * cells.step, size = ui.px(4);
   list.AddTriangleFilled({x - size, cells.low.y}, {x + size, cells.low.y},
                          {x, cells.low.y + 1.4f * size}, p.text);
 }
@@ -88,7 +121,7 @@ void finalCell(const Ui& ui, const Cells& cells) {
 void dragRounds(const Ui& ui, const Cells& cells, std::size_t rounds) {
   const Playback& playback = ui.state.playback;
   const std::size_t cell = cells.under(ImGui::GetIO().MousePos.x);
-  const std::size_t shown = playback.atFinal() ? playback.rounds() : playback.round();
+  const std::size_t shown = behindFloods(playback) ? playback.rounds() : playback.round();
   if (ImGui::IsMouseDoubleClicked(0) && ImGui::IsItemHovered() && cell < rounds) {
     return ui.run("adopt " + std::to_string(cell + 1));
   }
@@ -130,13 +163,12 @@ void roundStrip(const Ui& ui, float width, float height) {
   momentMark(ui, cells);
   if (onCell && under >= rounds) {
     tooltip(ui, "round end", under >= playback.rounds() ? "Finished charts" : "Round under way",
-            under >= playback.rounds() ? "The best round after its borders were tidied." : "");
+            under >= playback.rounds() ? "The kept round after its borders were laid anew." : "");
   }
   dragRounds(ui, cells, rounds);
 }
 
-void scrubber(const Ui& ui, float width, float height) {
-  const Playback& playback = ui.state.playback;
+void scrubber(const Ui& ui, const Reel& reel, float width, float height) {
   const Palette& p = ui.theme.palette;
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("##scrubber", {width, height});
@@ -145,11 +177,10 @@ void scrubber(const Ui& ui, float width, float height) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = low.y + height / 2;
   const float half = ui.px(5);
-  const auto capacity = static_cast<double>(std::max<std::size_t>(1, playback.capacity()));
   const auto place = [&](std::size_t count) {
-    return low.x + width * static_cast<float>(static_cast<double>(count) / capacity);
+    return low.x + width * static_cast<float>(reel.share(count));
   };
-  const float played = place(playback.playhead()), recorded = place(playback.recorded());
+  const float played = place(reel.step), recorded = place(reel.recorded);
   list.AddRectFilled({low.x, middle - half}, {low.x + width, middle + half}, p.bar, half);
   list.AddRectFilled({low.x, middle - half}, {std::max(recorded, low.x), middle + half}, p.control,
                      half);
@@ -160,14 +191,15 @@ void scrubber(const Ui& ui, float width, float height) {
   const bool hot = active || ImGui::IsItemHovered();
   list.AddCircleFilled({knobX, middle}, ui.px(hot ? 9.0f : 8.0f), p.text);
   list.AddCircleFilled({knobX, middle}, ui.px(hot ? 6.5f : 5.5f), p.accentSoft);
-  if (active && playback.recorded() > 0) {
+  if (active && reel.recorded > 0) {
     const double share =
         std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - low.x) / width), 0.0, 1.0);
     const auto count =
-        std::min(playback.recorded(), static_cast<std::size_t>(std::lround(share * capacity)));
-    if (count != playback.playhead()) ui.run("seek " + std::to_string(count));
+        std::min(reel.recorded,
+                 static_cast<std::size_t>(std::lround(share * static_cast<double>(reel.capacity))));
+    if (count != reel.step) ui.run(std::string(reel.action) + ' ' + std::to_string(count));
   }
-  tooltip(ui, "scrubber", "Flood", "Drag to any moment of this flood. Nothing is computed again.");
+  tooltip(ui, "scrubber", reel.title, reel.help);
 }
 
 std::string roundFigure(const Results& results) {
@@ -180,7 +212,20 @@ std::string roundFigure(const Results& results) {
          (results.segmentation && results.segmentation->refined ? " before tidying" : "");
 }
 
-std::string momentFigure(const Playback& playback) {
+/// The step of the refinement that is shown, and between which charts it went.
+std::string borderFigure(const Results& results, std::size_t step, std::size_t steps) {
+  if (step == 0) return "of round " + std::to_string(results.recordIteration + 1) + ", as flooded";
+  const std::string count = grouped(step) + " of " + grouped(steps) + " laid anew";
+  if (step == steps || !results.seamRecord) return count + "   finished charts";
+  const SeamStep& last = results.seamRecord->steps[step - 1];
+  return count + "   charts " + std::to_string(last.a) + " and " + std::to_string(last.b);
+}
+
+std::string momentFigure(const AppState& state) {
+  const Playback& playback = state.playback;
+  if (playback.showsBorders()) {
+    return borderFigure(state.results(), playback.borderStep(), playback.borderSteps());
+  }
   const std::string of = "round " + std::to_string(playback.round() + 1) + "   ";
   if (playback.atFinal()) return of + "finished charts";
   if (playback.missingRound()) return of + "is flooded once more";
@@ -191,7 +236,7 @@ std::string momentFigure(const Playback& playback) {
 }  // namespace
 
 void timeline(const Ui& ui) {
-  const Playback& playback = ui.state.playback;
+  const Reel reel = reelOf(ui.state.playback);
   const float width = ImGui::GetContentRegionAvail().x;
   const float gap = ui.px(24);
   const float left = std::round((width - gap) * 0.42f), right = width - gap - left;
@@ -202,8 +247,8 @@ void timeline(const Ui& ui) {
   ImGui::EndGroup();
   ImGui::SameLine(0, gap);
   ImGui::BeginGroup();
-  caption(ui, "Flood", momentFigure(playback), right);
-  scrubber(ui, right, height);
+  caption(ui, reel.title, momentFigure(ui.state), right);
+  scrubber(ui, reel, right, height);
   ImGui::EndGroup();
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/rng.h"
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
 #include "core/segment/chart_areas.h"
@@ -66,6 +67,52 @@ TEST_P(FloodCursorOn, AgreesWithThePrefixOfTheLogWhereverItComesFrom) {
     cursor.go(second_, all - step);
     expectAt(cursor, *second_, all - step);
   }
+}
+
+TEST_P(FloodCursorOn, FollowsTheRefinementBackAndForth) {
+  FloodCursor cursor(mesh_, gauss_);
+  const std::size_t all = mesh_->faceCount();
+  auto seams = std::make_shared<SeamRecord>();
+  seams->start.resize(all);
+  for (std::size_t i = 0; i < all; ++i) seams->start[(*first_)[i].face] = (*first_)[i].chart;
+  std::vector<Index> label = seams->start;
+  Rng rng(3);
+  for (int i = 0; i < 6; ++i) {
+    const Index a = rng.below(6), b = (a + 1 + rng.below(5)) % 6;
+    SeamStep step{a, b, seams->faces.size(), 0, 0};
+    const auto moves = [&](Index from) {
+      for (Index f = 0; f < all; ++f) {
+        if (label[f] == from && rng.below(4) == 0) seams->faces.push_back(f);
+      }
+    };
+    moves(a);
+    step.toA = seams->faces.size();
+    moves(b);
+    step.end = seams->faces.size();
+    seams->steps.push_back(step);
+    seams->play(seams->steps.size() - 1, label);
+  }
+  const std::vector<double> surface = faceAreas(*mesh_);
+  cursor.go(first_, all);
+  for (const std::size_t step : {3u, 6u, 0u, 5u, 4u, 6u}) {
+    cursor.refine(seams, step);
+    label = seams->start;
+    for (std::size_t i = 0; i < step; ++i) seams->play(i, label);
+    ASSERT_TRUE(std::equal(label.begin(), label.end(), cursor.labels().begin()));
+    const ChartAreas areas = chartAreas(*mesh_, *gauss_, faceGaussArea(*mesh_, *gauss_), label, 6);
+    for (std::size_t chart = 0; chart < 6; ++chart) {
+      double area = 0;
+      for (Index f = 0; f < all; ++f) area += label[f] == chart ? surface[f] : 0;
+      EXPECT_NEAR(cursor.gaussArea(chart), areas.gaussArea[chart], 1e-9);
+      EXPECT_NEAR(cursor.area(chart), area, 1e-9 * (1 + area));
+    }
+  }
+  cursor.go(first_, all / 2);
+  expectAt(cursor, *first_, all / 2);
+  cursor.go(first_, all);
+  cursor.refine(seams, 2);
+  cursor.go(second_, all / 3);
+  expectAt(cursor, *second_, all / 3);
 }
 
 TEST_P(FloodCursorOn, ComesBackToTheVerySameAreas) {

@@ -284,6 +284,30 @@ TEST(EveryMethod, MakesTheLogOfAnEarlierRoundAgainAndLeavesTheStateAlone) {
   }
 }
 
+TEST(EveryMethod, TellsHowItsBordersWereRefined) {
+  SegmentOptions options;
+  options.charts = 7;
+  const auto in = inputsOf(test::sampleMesh("rocket", 1000));
+  for (const Segmenter& method : segmenterTable()) {
+    for (const RefineKind kind : {RefineKind::Cuts, RefineKind::Moves, RefineKind::None}) {
+      options.refine.kind = kind;
+      const auto stepper = method.make(in, options);
+      Progress progress;
+      stepper->advance(StepUnit::Converged, 1, progress);
+      const auto seams = stepper->seamRecord();
+      ASSERT_EQ(seams == nullptr, kind == RefineKind::None) << method.id;
+      if (!seams) continue;
+      const auto log = stepper->record();
+      for (std::size_t i = 0; i < log->size(); ++i) {
+        ASSERT_EQ(seams->start[(*log)[i].face], (*log)[i].chart) << method.id;
+      }
+      std::vector<Index> label = seams->start;
+      for (std::size_t i = 0; i < seams->steps.size(); ++i) seams->play(i, label);
+      EXPECT_EQ(label, stepper->state()->label) << method.id;
+    }
+  }
+}
+
 TEST(EveryMethod, KeepsTheLastRoundWhereThatIsWished) {
   SegmentOptions options;
   options.charts = 7;
