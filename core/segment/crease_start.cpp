@@ -82,6 +82,16 @@ class CreaseStart final : public Stepper {
     return progress.cancelled() ? StepOutcome::Cancelled : StepOutcome::Advanced;
   }
 
+  /// There is one round, and its charts grow in the same order every time.
+  std::shared_ptr<const FloodRecord> replay(std::size_t iteration, Progress& progress) override {
+    CF_CHECK(iteration < history_.size());
+    if (progress.cancelled()) return nullptr;
+    auto record = std::make_shared<FloodRecord>(in_.mesh->faceCount());
+    for (const Index f : order_) record->append(f, label_[f], static_cast<float>(step_[f]));
+    record->publish();
+    return record;
+  }
+
   void restartFlood() override {
     record_ = options_.record ? std::make_shared<FloodRecord>(in_.mesh->faceCount()) : nullptr;
     taken_ = 0;
