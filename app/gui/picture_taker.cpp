@@ -81,6 +81,13 @@ Image drawSides(const AppState& state, CompareScene& scene, const PictureRequest
   return image;
 }
 
+/// True when a session leads to the moment that is shown: it holds no earlier rounds and no borders
+/// on their way.
+bool comesBack(const AppState& state) {
+  if (state.film.ready() || state.playback.inBorders()) return false;
+  return state.showsFinal() || state.playback.onWorkersRound();
+}
+
 ImageTexts textsOf(const AppState& state, const PictureTaker::Taken& taken, const Image& image) {
   if (!taken.look) {
     return {{"Software", "chartflood " CHARTFLOOD_VERSION},
@@ -151,7 +158,7 @@ Image drawOfRow(const AppState& state, CompareScene& scene, const PictureRequest
     if (number + 1 < wanted.frames) {
       const double share = static_cast<double>(number) / (wanted.frames - 1);
       look.playhead =
-          static_cast<std::size_t>(share * static_cast<double>(state.results().record->size()));
+          static_cast<std::size_t>(share * static_cast<double>(state.playback.recorded()));
     }
     texture.playhead = look.playhead;
   }
@@ -202,6 +209,7 @@ void PictureTaker::take(const AppState& state, CompareScene& scene, const Pictur
   }
   Taken taken;
   Image image = drawView(state, scene, request, pixelScale, taken);
+  if (!comesBack(state)) taken.look.reset();
   write(state, request, std::move(image), taken);
 }
 

@@ -49,7 +49,7 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
         info.member);
   }
   const Parameters defaults;
-  EXPECT_EQ(parameterTable().size(), 37u);
+  EXPECT_EQ(parameterTable().size(), 38u);
   EXPECT_NE(changed.method, defaults.method);
   EXPECT_NE(changed.vsaSeeding, defaults.vsaSeeding);
   EXPECT_NE(changed.vsaTeleport, defaults.vsaTeleport);
