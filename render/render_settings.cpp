@@ -44,7 +44,7 @@ constexpr ColorModeInfo kModes[] = {
      "Squares of the texture: they stay square and of one size where the unwrap is good."},
 };
 
-constexpr const char* kCheckerKinds[] = {"squares", "numbers", "circles"};
+constexpr const char* kCheckerKinds[] = {"squares", "numbers", "circles", "picture"};
 
 glm::vec3 toVector(const Rgb8& c) { return glm::vec3(c[0], c[1], c[2]) / 255.0f; }
 
@@ -103,7 +103,7 @@ CheckerKind checkerKindFromId(std::string_view id) {
   const auto found = std::find(std::begin(kCheckerKinds), std::end(kCheckerKinds), id);
   if (found == std::end(kCheckerKinds)) {
     throw UsageError("There is no checkerboard of " + std::string(id) +
-                     "; choose squares, numbers or circles.");
+                     "; choose squares, numbers, circles or picture.");
   }
   return static_cast<CheckerKind>(found - std::begin(kCheckerKinds));
 }

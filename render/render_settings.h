@@ -2,6 +2,7 @@
 /// Everything that can be chosen about a picture, as plain values.
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,8 @@
 #include "core/base/index.h"
 
 namespace chartflood {
+
+class Image;
 
 /// What the colours of the model say.
 enum class ColorMode {
@@ -44,8 +47,9 @@ enum class CheckerKind {
   Squares,
   Numbers,  ///< squares with a letter for the column and a digit for the row
   Circles,  ///< one disc in each square: it shows in which direction the surface is stretched
+  Picture,  ///< the user's own, in place of the squares
 };
-/// "squares", "numbers", "circles". \throws UsageError otherwise.
+/// "squares", "numbers", "circles", "picture". \throws UsageError otherwise.
 CheckerKind checkerKindFromId(std::string_view id);
 const char* checkerKindId(CheckerKind kind);
 
@@ -88,6 +92,7 @@ struct RenderSettings {
   std::string colorMap;  ///< id of a map; "": the mode's own
   bool invertColorMap = false;
   int colorSteps = 0;                              ///< flat steps on the map; 0: smooth
+  bool clampColors = true;                         ///< false: faces out of the range are grey
   std::optional<ScalarScale> scale;                ///< nothing: the mode's own
   std::optional<std::pair<double, double>> range;  ///< nothing: from the values
   std::string palette = "muted";                   ///< chart colours
@@ -99,6 +104,7 @@ struct RenderSettings {
   bool seedMarks = true;
   bool numbers = false;   ///< chart numbers on the model
   bool scalarBar = true;  ///< in modes that have one
+  bool problems = false;  ///< marks of Renderer::setMarks()
   bool lighting = true;   ///< false: flat colours, for measuring
   bool smoothNormals = true;
 
@@ -115,6 +121,8 @@ struct RenderSettings {
   float checkerSquares = 40;
   bool checkerInTexture = false;
   CheckerKind checkerKind = CheckerKind::Squares;
+  std::shared_ptr<const Image> checkerPicture;  ///< of CheckerKind::Picture; null: squares instead
+  float checkerRepeats = 1;                     ///< pictures along a side of the texture
   float checkerTint = 0.55f;  ///< how far the two greys lean towards the chart's colour, 0 to 1
 
   /// Shows the recorded flood with only the first so many faces taken; nothing: the labels.

@@ -39,6 +39,7 @@ void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* no
   uv_.reset();
   cuts_.reset();
   lines_.clear();
+  marks_.reset();
   seedMarks_.clear();
   if (!mesh_) return;
   bounds_ = boundingSphere(mesh_->positions());
@@ -131,6 +132,7 @@ void Renderer::setUvLayout(UvLayout layout) {
   surface_->setCornerTexture(layout.corners);
   uv_.emplace(mesh_, std::move(layout));
   if (cuts_) uv_->setCuts(cuts_->edges());
+  if (marks_) marks_->setTexture(*mesh_, &uv_->layout());
 }
 
 void Renderer::forgetUv() {
@@ -138,6 +140,13 @@ void Renderer::forgetUv() {
   unfinished_.reset();
   surface_->setCornerTexture({});
   uv_.reset();
+  if (marks_) marks_->setTexture(*mesh_, nullptr);
+}
+
+void Renderer::setMarks(const SurfaceMarks& marks) {
+  if (!mesh_) return;
+  marks_.emplace(*mesh_, marks);
+  marks_->setTexture(*mesh_, uv_ ? &uv_->layout() : nullptr);
 }
 
 void Renderer::setLines(std::span<const EdgeLines> lines) {

@@ -25,6 +25,7 @@
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
 #include "render/label_places.h"
+#include "render/mark_layer.h"
 #include "render/overlay.h"
 #include "render/render_settings.h"
 #include "render/surface_mesh.h"
@@ -42,14 +43,6 @@ struct SeedMark {
   bool closed = false;    ///< with the bar of a closed road: the chart cannot grow
 
   bool operator==(const SeedMark&) const = default;
-};
-
-/// Lines along edges of the mesh, drawn whatever else is shown.
-struct EdgeLines {
-  std::vector<Index> sides;  ///< sides of the mesh, in order along each path
-  glm::vec3 color{1};        ///< sRGB in [0, 1]
-  float width = 2;           ///< pixels, as in RenderSettings
-  bool dashed = false;
 };
 
 /// What lies under a pixel.
@@ -104,6 +97,8 @@ class Renderer {
   void setCuts(std::span<const Index> sides);
   /// More lines on the model, the first ones lowest; empty: none.
   void setLines(std::span<const EdgeLines> lines);
+  /// What pictures with RenderSettings::problems point at, on the model and in the texture.
+  void setMarks(const SurfaceMarks& marks);
 
   /// False while a mode has nothing to show; draw() then shows the plain surface.
   bool canShow(ColorMode mode) const;
@@ -182,6 +177,7 @@ class Renderer {
     Eye eye;
     float dash = 0;          ///< a dash and a gap of a cut, in units of the eye's space
     bool inTexture = false;  ///< triangles stand where the texture has them
+    glm::vec2 origin{0};     ///< of the part in the picture, pixels from its bottom left
   };
 
   /// A picture on its way.
@@ -213,12 +209,15 @@ class Renderer {
   int fillNumber(const RenderSettings& settings) const;
   gl::Program& surfaceProgram(const Frame& frame);
   void setChecker(gl::Program& program, const RenderSettings& settings);
+  void bindCheckerPicture(std::shared_ptr<const Image> picture);
   void setFill(gl::Program& program, const Frame& frame);
   void drawLines(const Frame& frame);
   void drawSegments(const Frame& frame, std::size_t count, const glm::vec2& widths,
                     const glm::vec4& color, float dash = 0, std::size_t first = 0);
   /// Cuts from the segments on unit kValues, without those of hidden charts.
   void drawCuts(const Frame& frame, const std::vector<Index>& triangleOf, float width);
+  void drawMarkLines(const Frame& frame);
+  void setTriangleMarks(gl::Program& program, const Frame& frame);
   void drawUvGround(const Frame& frame, const UvCamera& camera);
   void drawUvLines(const Frame& frame, const UvStyle& style);
   void drawUvOutline(const Frame& frame, const SegmentRange& range, float width);
@@ -257,7 +256,10 @@ class Renderer {
     EdgeLines look;  ///< without its sides
   };
   std::vector<LineLayer> lines_;
+  std::optional<MarkLayer> marks_;
   gl::TextureBuffer seeds_, checkerGlyphs_;
+  gl::Texture checkerPicture_;
+  std::shared_ptr<const Image> loadedPicture_;  // in checkerPicture_
   RenderSettings lastSettings_;  // of the last picture: what is hidden there cannot be picked
   std::vector<SeedMark> seedMarks_;
   std::vector<glm::vec4> uploadedSeeds_;

@@ -47,7 +47,11 @@ Index Renderer::shownChart(Index triangle, const RenderSettings& settings) const
 }
 
 Renderer::Frame Renderer::frameOf(const Unfinished& picture) const {
-  Frame frame{picture.settings, {}, 0, picture.inTexture};
+  Frame frame{picture.settings,
+              {},
+              0,
+              picture.inTexture,
+              glm::vec2(picture.part.left, picture.part.bottom)};
   if (picture.inTexture) {
     frame.eye = makeEye(picture.uvCamera, picture.part);
     frame.dash = dashLength(frame.eye.pixel, picture.settings);

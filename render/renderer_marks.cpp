@@ -38,6 +38,21 @@ void Renderer::drawCuts(const Frame& frame, const std::vector<Index>& triangleOf
   }
 }
 
+/// Lines of the marks, where the picture has them; the program of lines must be in use.
+void Renderer::drawMarkLines(const Frame& frame) {
+  if (!frame.settings.problems || !marks_) return;
+  for (const MarkLayer::Lines& line : marks_->lines()) {
+    if (frame.inTexture)
+      line.inTexture.bind(units::kValues);
+    else
+      line.edges.bind(units::kValues);
+    const std::size_t count = frame.inTexture ? line.inTextureCount : line.edges.edges().size();
+    drawSegments(frame, count, glm::vec2(line.look.width + 2), colors::kInk);
+    drawSegments(frame, count, glm::vec2(line.look.width), glm::vec4(line.look.color, 1),
+                 line.look.dashed ? frame.dash : 0);
+  }
+}
+
 void Renderer::drawLines(const Frame& frame) {
   const RenderSettings& settings = frame.settings;
   const ColorMode mode = canShow(settings.colorMode) ? settings.colorMode : ColorMode::Shaded;
@@ -70,6 +85,7 @@ void Renderer::drawLines(const Frame& frame) {
     cuts_->bind(units::kValues);
     drawCuts(frame, cuts_->triangle(), settings.cutWidth);
   }
+  drawMarkLines(frame);
   for (const LineLayer& line : lines_) {
     line.edges.bind(units::kValues);
     const std::size_t count = line.edges.edges().size();

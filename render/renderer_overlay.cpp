@@ -7,6 +7,7 @@
 
 #include "render/color_map.h"
 #include "render/renderer.h"
+#include "render/renderer_colors.h"
 #include "render/texture_units.h"
 
 namespace chartflood {
@@ -53,7 +54,8 @@ void Renderer::drawOverlay(const Frame& frame, const Camera& camera) {
 double Renderer::scalarBarShare(const RenderSettings& settings, int width) const {
   if (!settings.scalarBar || !scalarRange(settings)) return 0;
   // Margin, numbers, bar and the mean's mark.
-  const double pixels = 118.0 * double{settings.pixelScale} * double{settings.textSize} / 13.0;
+  const double pixels =
+      double{kScalarBarWidth} * double{settings.pixelScale} * double{settings.textSize} / 13.0;
   return std::min(pixels / std::max(width, 1), 0.3);
 }
 
@@ -64,7 +66,7 @@ void Renderer::addScalarBar(const Frame& frame, const ScalarRange& range) {
   const TextStyle style = textOn(settings.background, settings.textSize * scale);
   const float margin = 18 * scale, thick = 14 * scale, gap = 7 * scale;
   const float line = 1.35f * style.size;
-  const float height = std::round(std::clamp(0.42f * picture.y, 60 * scale, 260 * scale));
+  const float height = scalarBarHeight(picture.y, scale);
 
   const std::vector<ScalarTick> ticks =
       scalarTicks(range, static_cast<int>(std::clamp(height / (2.6f * style.size), 1.0f, 6.0f)));
@@ -79,6 +81,12 @@ void Renderer::addScalarBar(const Frame& frame, const ScalarRange& range) {
   overlay_.rectangle({left - frameWidth, top - frameWidth},
                      {thick + 2 * frameWidth, height + 2 * frameWidth}, style.halo);
   overlay_.colorBar({left, top}, {thick, height});
+  if (!settings.clampColors) {  // what lies beyond is grey
+    const float cap = std::round(5 * scale), gapOfCap = frameWidth;
+    const glm::vec4 grey(colors::kDry, 1);
+    overlay_.rectangle({left, top - gapOfCap - cap}, {thick, cap}, grey);
+    overlay_.rectangle({left, top + height + gapOfCap}, {thick, cap}, grey);
+  }
   for (const ScalarTick& tick : ticks) {
     const float y = std::round(top + height * (1 - static_cast<float>(tick.place)));
     overlay_.rectangle({left + thick + frameWidth, y - 0.5f * frameWidth}, {3 * scale, frameWidth},

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "render/color_map.h"
+#include "render/image.h"
 #include "render/renderer.h"
 #include "render/renderer_colors.h"
 #include "render/texture_units.h"
@@ -17,6 +18,12 @@ namespace {
 
 // Values of FILL in surface.frag.
 enum Fill { kPlain, kCharts, kTriangleValue, kChartValue, kFloodTime, kFloodOrder, kChecker };
+
+/// Without a picture there are squares.
+CheckerKind shownChecker(const RenderSettings& settings) {
+  const bool bare = settings.checkerKind == CheckerKind::Picture && !settings.checkerPicture;
+  return bare ? CheckerKind::Squares : settings.checkerKind;
+}
 
 constexpr std::size_t kDense = 100'000;  // triangles from which light at their corners is enough
 constexpr float kFrontShare = 0.01f;     // of all faces are bright behind the playhead
@@ -67,6 +74,12 @@ void Renderer::setChecker(gl::Program& program, const RenderSettings& settings) 
   program.set("uCheckerSquares", settings.checkerSquares);
   program.set("uCheckerInTexture", settings.checkerInTexture ? 1 : 0);
   program.set("uCheckerTint", settings.checkerTint);
+  if (shownChecker(settings) == CheckerKind::Picture) {
+    program.set("uCheckerSquares", settings.checkerRepeats);
+    program.set("uCheckerInTexture", 1);
+    bindCheckerPicture(settings.checkerPicture);
+    program.set("uCheckerPicture", static_cast<int>(units::kCheckerPicture));
+  }
   if (settings.checkerKind != CheckerKind::Numbers) return;
   if (!checkerGlyphs_) checkerGlyphs_.upload<glm::vec4>(GL_RGBA32F, overlay_.checkerGlyphs());
   overlay_.bindGlyphs(units::kGlyphs);
@@ -74,6 +87,35 @@ void Renderer::setChecker(gl::Program& program, const RenderSettings& settings) 
   program.set("uGlyphs", static_cast<int>(units::kGlyphs));
   program.set("uCheckerGlyphs", static_cast<int>(units::kCheckerGlyphs));
   program.set("uGlyphUnit", GlyphAtlas::distanceUnit() / GlyphAtlas::pixelsPerEm());
+}
+
+void Renderer::bindCheckerPicture(std::shared_ptr<const Image> picture) {
+  glActiveTexture(GL_TEXTURE0 + units::kCheckerPicture);
+  if (checkerPicture_ && picture == loadedPicture_) {
+    glBindTexture(GL_TEXTURE_2D, checkerPicture_.id());
+    return;
+  }
+  loadedPicture_ = std::move(picture);
+  const Image& image = *loadedPicture_;
+  // Rows from the bottom, as texture places have them.
+  std::vector<Rgba8> texels;
+  texels.reserve(image.pixels().size());
+  for (int y = image.height(); y-- > 0;) {
+    for (int x = 0; x < image.width(); ++x) {
+      Rgba8 p = image.at(x, y);
+      for (std::size_t c = 0; c < 3; ++c) p[c] = static_cast<std::uint8_t>(p[c] * p[3] / 255);
+      texels.push_back(p);
+    }
+  }
+  if (!checkerPicture_) checkerPicture_ = gl::Texture::create();
+  glBindTexture(GL_TEXTURE_2D, checkerPicture_.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width(), image.height(), 0, GL_RGBA,
+               GL_UNSIGNED_BYTE, texels.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
 }
 
 int Renderer::fillNumber(const RenderSettings& settings) const {
@@ -115,8 +157,9 @@ gl::Program& Renderer::surfaceProgram(const Frame& frame) {
     macros.push_back("VERTEX_LIGHT");
   }
   if (settings.edges) macros.push_back("WIRE");
+  if (settings.problems && marks_ && marks_->marksTriangles()) macros.push_back("MARKS");
   if (fill == kChecker) {
-    macros.push_back("CHECKER " + std::to_string(static_cast<int>(settings.checkerKind)));
+    macros.push_back("CHECKER " + std::to_string(static_cast<int>(shownChecker(settings))));
   }
   const auto found = surfacePrograms_.find(macros);
   if (found != surfacePrograms_.end()) return found->second;
@@ -130,6 +173,7 @@ void Renderer::setFill(gl::Program& program, const Frame& frame) {
   const bool marksAlone = mode == ColorMode::GaussVertex || mode == ColorMode::GaussEdge;
   program.set("uPlainColor", marksAlone ? colors::kCalm : colors::kClay);
   program.set("uDryColor", colors::kDry);
+  program.set("uClamp", settings.clampColors ? 1 : 0);
   std::optional<ScalarRange> range = scalarRange(settings);
   if (mode == ColorMode::Gauss) {
     range = gauss_->faceRange();
@@ -141,6 +185,17 @@ void Renderer::setFill(gl::Program& program, const Frame& frame) {
   } else if (showsDistortion(mode)) {
     values_.at(mode).values.bind(units::kValues);
   }
+}
+
+void Renderer::setTriangleMarks(gl::Program& program, const Frame& frame) {
+  if (!marks_ || !frame.settings.problems) return;
+  marks_->bindTriangles(units::kMarks);
+  program.set("uMarks", static_cast<int>(units::kMarks));
+  for (std::size_t i = 1; i < kTriangleMarks; ++i) {
+    program.set("uMarkColors[" + std::to_string(i) + ']', markColor(static_cast<TriangleMark>(i)));
+  }
+  program.set("uMarkScale", frame.settings.pixelScale);
+  program.set("uPartOrigin", frame.origin);
 }
 
 std::size_t Renderer::drawSurface(const Frame& frame, std::size_t first, std::size_t count) {
@@ -171,6 +226,7 @@ std::size_t Renderer::drawSurface(const Frame& frame, std::size_t first, std::si
   program.set("uOrderScale", 1 / std::max(faces, 1.0f));
   program.set("uWireWidth", settings.edgeWidth * settings.pixelScale);
   setChecker(program, settings);
+  setTriangleMarks(program, frame);
   const bool hovers = settings.hoverFace < mesh_->faceCount();
   program.set("uHoverFirst", hovers ? mesh_->triangleBegin(settings.hoverFace) : 0u);
   program.set("uHoverEnd", hovers ? mesh_->triangleBegin(settings.hoverFace + 1) : 0u);

@@ -165,9 +165,11 @@ void Renderer::drawUvLines(const Frame& frame, const UvStyle& style) {
     if (hidden || (!strong && (settings.hiddenCharts.empty() || !settings.seams))) continue;
     drawUvOutline(frame, uv_->outlineOf(island), style.outlineWidth + (strong ? 1.0f : 0.0f));
   }
-  if (!settings.cuts) return;
-  uv_->bindCuts(units::kValues);
-  drawCuts(frame, uv_->cutTriangle(), style.outlineWidth + 0.6f);
+  if (settings.cuts) {
+    uv_->bindCuts(units::kValues);
+    drawCuts(frame, uv_->cutTriangle(), style.outlineWidth + 0.6f);
+  }
+  drawMarkLines(frame);
 }
 
 void Renderer::addUvNumbers(const Frame& frame, const UvCamera& camera) {

@@ -115,6 +115,10 @@ ScalarRange rangeFromZero(std::span<const WeightedValue> values) {
   return range;
 }
 
+float scalarBarHeight(float pictureHeight, float scale) {
+  return std::round(std::clamp(0.42f * pictureHeight, 60 * scale, 260 * scale));
+}
+
 std::vector<ScalarTick> scalarTicks(const ScalarRange& range, int count) {
   if (range.plainEnds) return {{0, "low"}, {1, "high"}};
   // Less than a decade of logarithms holds too few round numbers; even steps look even there.

@@ -36,6 +36,11 @@ double weightedMean(std::span<const WeightedValue> values);
 /// to the mean where most of the weight has no value at all.
 ScalarRange rangeFromZero(std::span<const WeightedValue> values);
 
+/// Width at the right of a picture that the bar takes with its numbers, pixels at 100 %.
+inline constexpr float kScalarBarWidth = 118;
+/// Height of the bar alone, pixels; `scale` is RenderSettings::pixelScale.
+float scalarBarHeight(float pictureHeight, float scale);
+
 struct ScalarTick {
   double place = 0;  ///< on the bar, in [0, 1]
   std::string label;

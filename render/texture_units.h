@@ -17,5 +17,7 @@ inline constexpr GLuint kVertices = 8;
 inline constexpr GLuint kIndices = 9;
 inline constexpr GLuint kInnerSides = 10;
 inline constexpr GLuint kCheckerGlyphs = 11;
+inline constexpr GLuint kMarks = 12;
+inline constexpr GLuint kCheckerPicture = 13;
 
 }  // namespace chartflood::units

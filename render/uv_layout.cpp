@@ -136,6 +136,21 @@ UvLayout uvLayout(const Mesh& mesh, std::span<const glm::vec2> uv) {
   return layout;
 }
 
+std::vector<glm::vec4> uvSegments(const Mesh& mesh, const UvLayout& layout,
+                                  std::span<const CutEdge> edges) {
+  std::vector<glm::vec4> segments;
+  for (const CutEdge& edge : edges) {
+    const Index other = mesh.opposite()[edge.side];
+    if (layout.island[edge.side / 3] != kNone) {
+      addSegment(layout, edge.side, edge.from, edge.to, segments);
+    }
+    if (other != kNone && layout.island[other / 3] != kNone) {
+      addSegment(layout, other, edge.to, edge.from, segments);
+    }
+  }
+  return segments;
+}
+
 UvLines uvLines(const Mesh& mesh, const UvLayout& layout, std::span<const CutEdge> cuts) {
   UvLines lines;
   std::vector<bool> isCut(mesh.opposite().size(), false);

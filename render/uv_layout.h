@@ -51,6 +51,9 @@ struct UvLines {
   std::vector<glm::vec4> cuts;          ///< both banks of each cut
   std::vector<Index> cutTriangle;       ///< that each segment of `cuts` borders
 };
+/// Both banks of each edge where they have a place, as `cuts` of UvLines.
+std::vector<glm::vec4> uvSegments(const Mesh& mesh, const UvLayout& layout,
+                                  std::span<const CutEdge> edges);
 UvLines uvLines(const Mesh& mesh, const UvLayout& layout, std::span<const CutEdge> cuts);
 
 }  // namespace chartflood

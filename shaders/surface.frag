@@ -7,6 +7,7 @@
 //                 VERTEX_LIGHT by what its corners receive
 //   WIRE          mesh edges: corners' places are looked up
 //   CHECKER 0..2  what stands on the checkerboard, with its FILL
+//   MARKS         some triangles carry a pattern
 //   IN_TEXTURE    triangles stand where the texture has them
 #include "common/color_map.glsl"
 #include "common/light.glsl"
@@ -27,9 +28,13 @@ const uint kNone = 0xFFFFFFFFu;
 #include "common/checker.glsl"
 in vec2 vChecker;  // squares; far below 0: no place in the texture
 #endif
+#ifdef MARKS
+#include "common/marks.glsl"
+#endif
 
 uniform vec3 uPlainColor;  // sRGB
 uniform vec3 uDryColor;
+uniform bool uClamp;  // values out of the range have its end colours, else the dry one
 
 uniform usamplerBuffer uLabels;      // chart of each triangle
 uniform usamplerBuffer uFlood;       // (order, chart) of each triangle
@@ -101,7 +106,7 @@ vec3 fillColor(int triangle, uint chart, uint order) {
   return uPlainColor;
 #elif FILL == FILL_TRIANGLE_VALUE
   float value = texelFetch(uValues, triangle).r;
-  return isnan(value) ? uDryColor : mapped(scaled(value));
+  return isnan(value) || (!uClamp && beyond(value)) ? uDryColor : mapped(scaled(value));
 #elif FILL == FILL_CHECKER
   if (vChecker.x < -1e20) return uDryColor;
   vec3 tint = chart == kNone ? vec3(0.6) : texelFetch(uChartColors, int(chart)).rgb;
@@ -111,7 +116,8 @@ vec3 fillColor(int triangle, uint chart, uint order) {
 #if FILL == FILL_CHARTS
   return texelFetch(uChartColors, int(chart)).rgb;
 #elif FILL == FILL_CHART_VALUE
-  return mapped(scaled(texelFetch(uChartValues, int(chart)).r));
+  float value = texelFetch(uChartValues, int(chart)).r;
+  return !uClamp && beyond(value) ? uDryColor : mapped(scaled(value));
 #else
 #if FILL == FILL_FLOOD_ORDER
   float t = float(order) * uOrderScale;
@@ -179,6 +185,9 @@ void main() {
   if (id >= uFlashFirst && id < uFlashEnd) color = vec3(1.0, 0.80, 0.10);
 #ifdef LIGHT
   color = lit(color);
+#endif
+#ifdef MARKS
+  color = marked(color, texelFetch(uMarks, triangle).r);
 #endif
 #ifdef WIRE
   color = mix(color, vec3(0.07), 0.75 * wireCover(barycentric(triangle), triangle));

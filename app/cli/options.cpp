@@ -45,7 +45,7 @@ void readSessionInput(const Tokens& tokens, Invocation& call) {
   if (tokens.has("help") || tokens.has("version")) return;
   const bool file = tokens.files.size() == 1;
   const bool like = tokens.has("like");
-  const bool picture = file && isPictureFile(tokens.files[0]);
+  const bool picture = file && isPngFile(tokens.files[0]);
   if (like && file && (picture || isSessionFile(tokens.files[0]))) {
     throw UsageError("--like and " + tokens.files[0] +
                      " exclude each other: leave one out, or name a mesh.");

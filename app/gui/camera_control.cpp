@@ -53,6 +53,11 @@ void dragCamera(Camera& camera, CameraMotion motion, const ViewRectangle& view, 
   const double dy = static_cast<double>(to.y - from.y) / view.height();
   switch (motion) {
   case CameraMotion::Orbit:
+    if (likes.trackball) {
+      const ImVec2 end{likes.invertTurnX ? 2 * from.x - to.x : to.x,
+                       likes.invertTurnY ? 2 * from.y - to.y : to.y};
+      return camera.trackball(view.ndc(from), view.ndc(end), view.aspect());
+    }
     return camera.orbit(kTurn * (likes.invertTurnX ? -dx : dx),
                         kTurn * (likes.invertTurnY ? -dy : dy));
   case CameraMotion::Pan:

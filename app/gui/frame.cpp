@@ -7,6 +7,7 @@
 
 #include "app/gui/panels/compare_panel.h"
 #include "app/gui/panels/panels.h"
+#include "app/gui/panels/problem_key.h"
 #include "app/gui/panels/seeds_tool.h"
 #include "app/gui/widgets.h"
 
@@ -31,20 +32,23 @@ void beginFixed(const char* name, ImVec2 position, ImVec2 size, ImU32 ground, Im
   ImGui::SetNextWindowPos(position);
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
+  // Where controls have edges, panels have them too.
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, ImGui::GetStyle().FrameBorderSize);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::Begin(name, nullptr, kFixed | more);
 }
 
 void endFixed() {
   ImGui::End();
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   ImGui::PopStyleColor();
 }
 
 /// Keys that step: holding them down repeats.
 bool repeats(const Chord& chord) {
-  return chord.key == "Left" || chord.key == "Right" || chord.key == "+" || chord.key == "-" ||
-         chord.key == "[" || chord.key == "]";
+  return chord.key == "Left" || chord.key == "Right" || chord.key == "Up" || chord.key == "Down" ||
+         chord.key == "Tab" || chord.key == "+" || chord.key == "-" || chord.key == "[" ||
+         chord.key == "]";
 }
 
 }  // namespace
@@ -169,6 +173,8 @@ void Frame::drawScene(const Ui& ui, const Layout& layout, SceneSource* source) {
   toasts(ui, low, high);
   firstStepsCard(ui, low, high);
   if (state_.hasMesh()) toolSwitch(ui, low);
+  problemKey(ui, low);
+  legendPanel(ui, low, high);
   handleFilmBar(ui, low, high);
   recoveryCard(ui, low, high);
 }
@@ -233,6 +239,15 @@ void Frame::draw(SceneSource* source, UvSource* uvSource) {
   if (state_.flash.face() != kNone) ui.wakeIn(state_.flash.secondsLeft());
 }
 
+/// In the seeds tool some keys mean something else, as long as that can be done.
+const Binding* Frame::bindingOf(const Chord& chord) const {
+  if (state_.panels.tool == PanelState::Tool::Seeds) {
+    const Binding* own = actions_.findBinding(chord, true);
+    if (own != nullptr && actions_.refusal(own->line, state_).empty()) return own;
+  }
+  return actions_.findBinding(chord);
+}
+
 bool Frame::key(const Chord& chord, bool repeated) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool browsing = state_.panels.browse != PanelState::Browse::Nothing;
@@ -243,15 +258,17 @@ bool Frame::key(const Chord& chord, bool repeated) {
     return false;
   const bool widgetHasKeys = io.NavVisible && !GImGui->NavDisableHighlight;
   const bool navigates = chord.key == "Space" || chord.key == "Enter" || chord.key == "Left" ||
-                         chord.key == "Right" || chord.key == "Esc";
+                         chord.key == "Right" || chord.key == "Up" || chord.key == "Down" ||
+                         chord.key == "Tab" || chord.key == "Esc";
   if (widgetHasKeys && navigates && !chord.ctrl) return false;
   if (state_.seedDrag && chord.key == "Esc") return state_.perform(actions_, "put-back");
+  if (state_.panels.legend && chord.key == "Esc") return state_.perform(actions_, "legend off");
   const bool textWindow = state_.panels.keys || state_.panels.log || state_.panels.about ||
                           state_.panels.preferences || state_.panels.picture;
   if (textWindow && chord.key == "Esc") return false;
   if (repeated && !repeats(chord)) return false;
   if (state_.panels.firstCard) state_.perform(actions_, "first-steps off");
-  const Binding* binding = actions_.findBinding(chord);
+  const Binding* binding = bindingOf(chord);
   if (binding == nullptr) return false;
   const std::string reason = actions_.refusal(binding->line, state_);
   if (!reason.empty()) {

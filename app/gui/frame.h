@@ -40,6 +40,7 @@ class Frame {
     float top, tool, bottom, status, left, right;
   };
 
+  const Binding* bindingOf(const Chord& chord) const;
   Layout layOut();
   void takeChartColors(SceneSource* source);
   void drawBars(const Ui& ui, const Layout& layout);

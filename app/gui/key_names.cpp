@@ -36,6 +36,10 @@ std::string specialName(int key) {
     return "Home";
   case GLFW_KEY_END:
     return "End";
+  case GLFW_KEY_TAB:
+    return "Tab";
+  case GLFW_KEY_INSERT:
+    return "Insert";
   case GLFW_KEY_DELETE:
     return "Delete";
   case GLFW_KEY_KP_ADD:

@@ -32,6 +32,9 @@ void drawBar(const Ui& ui, const BarSlider& slider, const ImRect& box, bool hot,
     list.PopClipRect();
     if (hot || active) list.AddRectFilled({x - 1, box.Min.y}, {x + 1, box.Max.y}, faded(p.accent));
   }
+  if (ImGui::GetStyle().FrameBorderSize > 0) {
+    list.AddRect(box.Min, box.Max, faded(p.line), rounding, 0, ImGui::GetStyle().FrameBorderSize);
+  }
   if (slider.changed) ImGui::PushFont(ui.theme.strong);
   const ImVec2 size = ImGui::CalcTextSize(slider.text.c_str());
   list.AddText(

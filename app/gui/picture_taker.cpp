@@ -81,10 +81,11 @@ Image drawSides(const AppState& state, CompareScene& scene, const PictureRequest
   return image;
 }
 
-/// True when a session leads to the moment that is shown: it holds no earlier rounds and no borders
-/// on their way.
+/// True when a session leads to what is shown: it holds no earlier rounds, no borders on their way,
+/// no marks and no picture on the checkerboard.
 bool comesBack(const AppState& state) {
-  if (state.film.ready() || state.playback.inBorders()) return false;
+  if (state.film.ready() || state.playback.inBorders() || state.view.render.problems) return false;
+  if (!state.view.checkerFile.empty()) return false;
   return state.showsFinal() || state.playback.onWorkersRound();
 }
 

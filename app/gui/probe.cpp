@@ -24,6 +24,7 @@ void Probe::rectangle(std::string_view label, ImVec2 min, ImVec2 max) {
   item.clipMin = clip.Min;
   item.clipMax = clip.Max;
   item.visible = clip.Overlaps(ImRect(min, max));
+  item.scrolls = ImGui::GetCurrentWindow()->ScrollMax.y > 0;
   items_.insert_or_assign(std::string(label), item);
 }
 

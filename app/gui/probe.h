@@ -14,6 +14,7 @@ struct ProbedItem {
   ImVec2 min{0, 0}, max{0, 0};          ///< the widget
   ImVec2 clipMin{0, 0}, clipMax{0, 0};  ///< what of its panel can be seen
   bool visible = false;                 ///< some part of it is inside the clip
+  bool scrolls = false;                 ///< its panel can be scrolled up and down
 
   ImVec2 center() const { return {(min.x + max.x) / 2, (min.y + max.y) / 2}; }
   /// True when nothing of it is cut off.

@@ -47,16 +47,20 @@ RenderSettings sceneSettings(const AppState& state, float pixelScale) {
   settings.selectedCharts.clear();
   if (state.film.ready()) {
     settings.colorMode = ColorMode::Charts;
+    settings.problems = false;
     settings.playhead = state.film.position();
     settings.front = true;
     return settings;
   }
+  if (settings.playhead) settings.problems = false;  // they belong to the finished charts
   if (state.selectedChart != kNone) settings.selectedCharts.push_back(state.selectedChart);
   if (state.view.isolate && state.selectedChart != kNone && state.results().segmentation) {
     const std::size_t count = state.results().segmentation->chartCount;
     for (Index chart = 0; chart < count; ++chart) {
       if (chart != state.selectedChart) settings.hiddenCharts.push_back(chart);
     }
+  } else {
+    settings.hiddenCharts = state.view.hiddenCharts;
   }
   return settings;
 }
@@ -76,8 +80,8 @@ std::vector<SeedMark> seedMarks(const AppState& state) {
   }
   for (const PlacedSeed& seed : state.presentSeeds()) {
     const auto number = static_cast<Index>(marks.size());
-    marks.push_back(
-        {seed.face, number, number == state.hoveredSeed, seed.locked, state.closedOff(number)});
+    const bool emphasis = number == state.hoveredSeed || number == state.chosenSeed;
+    marks.push_back({seed.face, number, emphasis, seed.locked, state.closedOff(number)});
   }
   if (const auto& drag = state.seedDrag; drag && drag->seed < marks.size()) {
     marks[drag->seed].face = drag->face;
@@ -97,6 +101,7 @@ void SceneView::takeMesh(const AppState& state, const Results& results) {
   stats_.reset();
   record_.reset();
   derived_.reset();
+  marks_.reset();
   seeds_.clear();
   chartSet_.reset();
   atlas_.reset();
@@ -212,6 +217,20 @@ void SceneView::takeSeeds(const AppState& state) {
   ++content_;
 }
 
+/// Only while they are shown: to find them takes as long as to flood a large model.
+void SceneView::takeMarks(const AppState& state, const Results& results) {
+  if (!state.view.render.problems || state.playback.playing()) return;
+  std::shared_ptr<const SurfaceMarks> wanted;
+  // Those of a stored result would be worked out in turn with the live ones, over and over.
+  if (results.segmentation == state.results().segmentation) {
+    wanted = state.insight().problemMarks(state.results());
+  }
+  if (wanted == marks_) return;
+  marks_ = wanted;
+  renderer_.setMarks(marks_ ? *marks_ : SurfaceMarks{});
+  ++content_;
+}
+
 void SceneView::takeUnwrap(const Results& results) {
   if (isReady(flat_)) {
     Flat flat = flat_.get();
@@ -277,6 +296,7 @@ void SceneView::takeIn(const AppState& state) {
   takeSeeds(state);
   if (pane_.live()) takeFilm(state);
   if (pane_.live()) takeHints(state);
+  takeMarks(state, results);
   takeUnwrap(results);
   takeDistortion(results);
 }

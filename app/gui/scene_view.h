@@ -100,6 +100,7 @@ class SceneView : public SceneSource {
   void takeSeeds(const AppState& state);
   void takeFilm(const AppState& state);
   void takeHints(const AppState& state);
+  void takeMarks(const AppState& state, const Results& results);
   void takeUnwrap(const Results& results);
   void takeDistortion(const Results& results);
   int samplesFor(bool moving) const;
@@ -137,6 +138,7 @@ class SceneView : public SceneSource {
   };
   std::optional<HintsShown> hintsShown_;  ///< lines of hints that are drawn; nothing: unknown
   std::shared_ptr<const SurfaceDerived> derived_;  ///< uploaded
+  std::shared_ptr<const SurfaceMarks> marks_;      ///< uploaded
 
   /// Texture places and cuts, worked out by a thread of its own.
   struct Flat {

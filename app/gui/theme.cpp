@@ -137,7 +137,9 @@ void setColors(ImGuiStyle& style, const Palette& p) {
   set(ImGuiCol_TitleBg, p.bar);
   set(ImGuiCol_TitleBgActive, p.bar);
   // Where grounds hardly differ, controls have edges.
-  style.FrameBorderSize = &p == &kHighContrast ? 1.0f : 0.0f;
+  const bool edges = &p == &kHighContrast;
+  style.FrameBorderSize = style.TabBorderSize = edges ? 1.0f : 0.0f;
+  if (edges) set(ImGuiCol_ScrollbarGrab, p.line);
 }
 
 void setSizes(ImGuiStyle& style, float scale) {

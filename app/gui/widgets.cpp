@@ -118,7 +118,8 @@ void switchRow(const Ui& ui, const char* words, bool on, std::string_view line) 
   if (clicked) ui.run(line);
 }
 
-bool section(const Ui& ui, const char* title, bool openAtFirst, bool openNow) {
+bool section(const Ui& ui, const char* title, bool openAtFirst, bool openNow,
+             const std::string& stale) {
   ImGui::Dummy({0, ui.px(1)});
   ImGui::PushFont(ui.theme.strong);
   ImGui::PushStyleColor(ImGuiCol_Header, ui.theme.palette.bar);
@@ -128,6 +129,14 @@ bool section(const Ui& ui, const char* title, bool openAtFirst, bool openNow) {
   ImGui::PopStyleColor(2);
   ImGui::PopFont();
   ui.probe.item(std::string("section/") + title);
+  if (stale.empty()) return open;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 at{high.x - ui.px(14), (low.y + high.y) / 2};
+  const float radius = ui.px(4);
+  ImGui::GetWindowDrawList()->AddCircleFilled(at, radius, ui.theme.palette.front);
+  ui.probe.rectangle(std::string("stale/") + title, {at.x - radius, at.y - radius},
+                     {at.x + radius, at.y + radius});
+  tooltip(ui, std::string("section/") + title, "", stale);
   return open;
 }
 

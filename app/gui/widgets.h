@@ -47,8 +47,10 @@ void barSlider(const Ui& ui, const BarSlider& slider, float width);
 /// A row of the parameter table: label, symbol, control, reset. Fits the present width.
 void parameterRow(const Ui& ui, const ParameterInfo& info);
 
-/// A heading that folds what follows, unfolded when `openNow`; returns whether it is open.
-bool section(const Ui& ui, const char* title, bool openAtFirst = true, bool openNow = false);
+/// A heading that folds what follows, unfolded when `openNow`; returns whether it is open. With
+/// `stale` it carries a dot, and the words are its tooltip.
+bool section(const Ui& ui, const char* title, bool openAtFirst = true, bool openNow = false,
+             const std::string& stale = "");
 
 /// A vertical line between two panels that can be dragged; changes `width` of the left one, or of
 /// the right one when `right`.

@@ -16,12 +16,20 @@ void ActionRegistry::add(Action action) {
 }
 
 void ActionRegistry::bind(std::string_view chord, std::string_view line) {
+  addBinding(chord, line, false);
+}
+
+void ActionRegistry::bindInSeedsTool(std::string_view chord, std::string_view line) {
+  addBinding(chord, line, true);
+}
+
+void ActionRegistry::addBinding(std::string_view chord, std::string_view line, bool seedsTool) {
   const Chord parsed = parseChord(chord);
-  CF_CHECK(findBinding(parsed) == nullptr);
+  CF_CHECK(findBinding(parsed, seedsTool) == nullptr);
   const Command command = parseCommand(line);
   // Throws when the line's arguments are not the action's.
   const Arguments checked(command.action, at(command.action).arguments, command.arguments);
-  bindings_.push_back({parsed, std::string(line)});
+  bindings_.push_back({parsed, std::string(line), seedsTool});
 }
 
 const Action* ActionRegistry::find(std::string_view id) const {
@@ -39,9 +47,10 @@ const Action& ActionRegistry::at(std::string_view id) const {
                    (nearest.empty() ? "." : "; did you mean '" + nearest + "'?"));
 }
 
-const Binding* ActionRegistry::findBinding(const Chord& chord) const {
-  const auto found = std::find_if(bindings_.begin(), bindings_.end(),
-                                  [&](const Binding& b) { return b.chord == chord; });
+const Binding* ActionRegistry::findBinding(const Chord& chord, bool seedsTool) const {
+  const auto found = std::find_if(bindings_.begin(), bindings_.end(), [&](const Binding& b) {
+    return b.chord == chord && b.seedsTool == seedsTool;
+  });
   return found == bindings_.end() ? nullptr : &*found;
 }
 
@@ -83,7 +92,9 @@ ActionRegistry makeActionRegistry() {
   addCountActions(registry);
   addHintActions(registry);
   addSeedActions(registry);
+  addSeedKeyActions(registry);
   addViewActions(registry);
+  addLegendActions(registry);
   addLookActions(registry);
   addPresetActions(registry);
   addChartActions(registry);

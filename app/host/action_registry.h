@@ -15,6 +15,7 @@ namespace chartflood {
 struct Binding {
   Chord chord;
   std::string line;
+  bool seedsTool = false;  ///< acts while that tool is chosen, before any other of the same key
 };
 
 class ActionRegistry {
@@ -23,12 +24,14 @@ class ActionRegistry {
   void add(Action action);
   /// Binds a key; the line's action must have been added and the key be free.
   void bind(std::string_view chord, std::string_view line);
+  /// The same for the seeds tool alone; elsewhere the key may mean something else.
+  void bindInSeedsTool(std::string_view chord, std::string_view line);
 
   std::span<const Action> actions() const { return actions_; }
   std::span<const Binding> bindings() const { return bindings_; }
   const Action* find(std::string_view id) const;
   /// The binding of a key, or nullptr.
-  const Binding* findBinding(const Chord& chord) const;
+  const Binding* findBinding(const Chord& chord, bool seedsTool = false) const;
   /// "Ctrl+Z" for the first key bound to this very line, "" if none is.
   std::string shortcut(std::string_view line) const;
 
@@ -43,6 +46,7 @@ class ActionRegistry {
 
  private:
   const Action& at(std::string_view id) const;
+  void addBinding(std::string_view chord, std::string_view line, bool seedsTool);
 
   std::vector<Action> actions_;
   std::vector<Binding> bindings_;

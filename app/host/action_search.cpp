@@ -108,6 +108,22 @@ std::vector<FoundAction> actionEntries(const ActionRegistry& actions, const AppS
   return entries;
 }
 
+/// "checker-size 30": a whole script line, with which every action can be reached.
+bool lineEntry(const ActionRegistry& actions, const AppState& state, std::string_view words,
+               FoundAction& found) {
+  try {
+    const Command command = parseCommand(words);
+    const Action* action = actions.find(command.action);
+    if (action == nullptr) return false;
+    const Arguments checked(action->id, action->arguments, command.arguments);
+    found = {std::string(words), action->title + ": " + std::string(words), "", action->help,
+             action->refusal ? action->refusal(state) : std::string()};
+    return true;
+  } catch (const UsageError&) {
+    return false;
+  }
+}
+
 FoundAction parameterEntry(const ParameterInfo& info, const AppState& state) {
   const ParameterValue value = parameterValue(state.document().parameters, info);
   return {std::string("show-parameter ") + info.id,
@@ -174,6 +190,12 @@ std::vector<FoundAction> searchActions(const ActionRegistry& actions, const AppS
     take(std::move(entry), score);
   }
   const std::vector<std::string_view> parts = wordsOf(words);
+  if (FoundAction typed; lineEntry(actions, state, words, typed)) {
+    const bool listed = std::any_of(scored.begin(), scored.end(), [&](const auto& entry) {
+      return entry.second.line == typed.line;
+    });
+    if (!listed) take(std::move(typed), matchScore(words, words));
+  }
   for (const ParameterInfo& info : parameterTable()) {
     FoundAction row = parameterEntry(info, state);
     const int score = std::max(parameterScore(words, info), matchScore(words, row.title));

@@ -11,6 +11,8 @@ void addFileActions(ActionRegistry& registry);
 void addSessionActions(ActionRegistry& registry);
 /// The hand on the seeds.
 void addSeedActions(ActionRegistry& registry);
+/// The same by keyboard alone.
+void addSeedKeyActions(ActionRegistry& registry);
 /// Parameters, presets, undo and redo.
 void addEditActions(ActionRegistry& registry);
 /// Flooding and its playback.
@@ -21,6 +23,8 @@ void addCountActions(ActionRegistry& registry);
 void addHintActions(ActionRegistry& registry);
 /// Colours, overlays, camera, panels.
 void addViewActions(ActionRegistry& registry);
+/// Range, scale and colours of values.
+void addLegendActions(ActionRegistry& registry);
 /// Theme, simulated colour vision, preferences, and the search for actions.
 void addLookActions(ActionRegistry& registry);
 /// The user's own presets.

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
+
+#include <glm/common.hpp>
 
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
+#include "app/host/checker_picture.h"
 #include "app/host/switch_action.h"
 #include "core/base/error.h"
 
@@ -14,7 +19,7 @@ namespace chartflood {
 namespace {
 
 constexpr double kFewestSquares = 1, kMostSquares = 1000;
-constexpr float kTint = RenderSettings{}.checkerTint;
+constexpr long kMostRepeats = 64;
 
 /// The chart before or after the selected one, going round.
 void selectNeighbour(AppState& state, int step) {
@@ -26,23 +31,108 @@ void selectNeighbour(AppState& state, int step) {
   state.selectedChart = static_cast<Index>((now + step + count) % count);
 }
 
+std::string needsCharts(const AppState& state) {
+  const auto& stats = state.results().chartStats;
+  return stats && !stats->charts.empty() ? "" : "There are no charts yet.";
+}
+
+/// The chart that is named, or the selected one. \throws Refusal without it
+Index chartOf(const AppState& state, const Arguments& a) {
+  const long wanted = a.integer("chart", -1);
+  const Index chart = wanted < 0 ? state.selectedChart : static_cast<Index>(wanted);
+  if (chart == kNone) throw Refusal("Select a chart first.");
+  if (chart >= state.results().chartStats->charts.size()) {
+    throw Refusal("There is no chart " + std::to_string(chart) + '.');
+  }
+  return chart;
+}
+
+void hideChart(AppState& state, Index chart) {
+  std::vector<Index>& hidden = state.view.hiddenCharts;
+  const auto place = std::lower_bound(hidden.begin(), hidden.end(), chart);
+  if (place != hidden.end() && *place == chart) return;
+  hidden.insert(place, chart);
+  state.view.isolate = false;
+  if (state.selectedChart == chart) state.selectedChart = kNone;
+  state.notices.add(Notice::Kind::Info, "Chart " + std::to_string(chart) + " is hidden.");
+}
+
+/// Brings the chart's place in the texture into view.
+void showInTexture(AppState& state, Index chart) {
+  const auto& atlas = state.results().atlas;
+  if (!atlas || chart >= atlas->uv.size() || atlas->uv[chart].empty()) {
+    throw Refusal("This chart has no place in the texture; press W to lay the charts flat.");
+  }
+  glm::dvec2 low(1e300), high(-1e300);
+  for (const glm::dvec2& uv : atlas->uv[chart]) {
+    low = glm::min(low, uv);
+    high = glm::max(high, uv);
+  }
+  state.selectedChart = chart;
+  state.panels.right = true;
+  state.panels.rightTab = PanelState::RightTab::Uv;
+  state.panels.selectRightTab = true;
+  const double size = std::max({high.x - low.x, high.y - low.y, UvCamera::kLeastSpan});
+  state.view.uvCamera = {0.5 * (low + high), 1.3 * size};
+}
+
+void addHiding(ActionRegistry& registry) {
+  const ArgumentInfo which = {"chart", ArgumentType::Integer, "left out: the selected", false};
+  registry.add({.id = "isolate-chart",
+                .title = "Show the chart alone",
+                .help = "Selects a chart and leaves the others out of both views.",
+                .arguments = {which},
+                .refusal = needsCharts,
+                .run = [](AppState& state, const Arguments& a) {
+                  state.selectedChart = chartOf(state, a);
+                  state.view.isolate = true;
+                }});
+  registry.add(
+      {.id = "hide-chart",
+       .title = "Hide the chart",
+       .help = "Leaves a chart out of both views, to look at what is behind it.",
+       .arguments = {which},
+       .refusal = needsCharts,
+       .run = [](AppState& state, const Arguments& a) { hideChart(state, chartOf(state, a)); }});
+  registry.bind("Shift+H", "hide-chart");
+  registry.add({.id = "show-all-charts",
+                .title = "Show all charts",
+                .help = "Ends hiding and isolating.",
+                .arguments = {},
+                .refusal = [](const AppState& state) -> std::string {
+                  const bool any = !state.view.hiddenCharts.empty() || state.view.isolate;
+                  return any ? "" : "All charts are shown.";
+                },
+                .run =
+                    [](AppState& state, const Arguments&) {
+                      state.view.hiddenCharts.clear();
+                      state.view.isolate = false;
+                    }});
+  registry.bind("Alt+H", "show-all-charts");
+  registry.add({.id = "chart-in-texture",
+                .title = "Show it in the texture",
+                .help = "Comes close to the chart's place in the texture.",
+                .arguments = {which},
+                .refusal = needsCharts,
+                .run = [](AppState& state, const Arguments& a) {
+                  showInTexture(state, chartOf(state, a));
+                }});
+  registry.bind("Shift+F", "chart-in-texture");
+}
+
 void addSelection(ActionRegistry& registry) {
-  auto refusal = [](const AppState& state) -> std::string {
-    const auto& stats = state.results().chartStats;
-    return stats && !stats->charts.empty() ? "" : "There are no charts yet.";
-  };
   registry.add({.id = "previous-chart",
                 .title = "Previous chart",
                 .help = "Selects the chart before.",
                 .arguments = {},
-                .refusal = refusal,
+                .refusal = needsCharts,
                 .run = [](AppState& state, const Arguments&) { selectNeighbour(state, -1); }});
   registry.bind("[", "previous-chart");
   registry.add({.id = "next-chart",
                 .title = "Next chart",
                 .help = "Selects the chart after.",
                 .arguments = {},
-                .refusal = refusal,
+                .refusal = needsCharts,
                 .run = [](AppState& state, const Arguments&) { selectNeighbour(state, 1); }});
   registry.bind("]", "next-chart");
   registry.add({.id = "select-chart",
@@ -68,6 +158,7 @@ void addSelection(ActionRegistry& registry) {
                  const Arguments& a) { state.view.isolate = a.flag("on", !state.view.isolate); },
        .checked = [](const AppState& state, const Arguments&) { return state.view.isolate; }});
   registry.bind("I", "isolate");
+  addHiding(registry);
 }
 
 void setCheckerSize(AppState& state, double squares) {
@@ -75,6 +166,38 @@ void setCheckerSize(AppState& state, double squares) {
     throw UsageError("The checkerboard can have 1 to 1000 squares along the model.");
   }
   state.view.render.checkerSquares = static_cast<float>(squares);
+}
+
+void addCheckerPicture(ActionRegistry& registry) {
+  registry.add({.id = "checker-picture",
+                .title = "Picture on the charts",
+                .help = "Shows a picture in place of the checkerboard, once across the texture. A "
+                        "picture can also be dropped onto the window.",
+                .arguments = {{"file", ArgumentType::Text, "PNG or JPEG"}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  putPictureOnCharts(state, a.text("file"));
+                }});
+  registry.add({.id = "use-checkerboard",
+                .title = "Use the checkerboard",
+                .help = "Takes the picture off the charts.",
+                .arguments = {},
+                .refusal = [](const AppState& state) -> std::string {
+                  return state.view.render.checkerPicture ? "" : "No picture lies on the charts.";
+                },
+                .run = [](AppState& state, const Arguments&) { dropCheckerPicture(state.view); }});
+  registry.add({.id = "checker-repeats",
+                .title = "Pictures across the texture",
+                .help = "How often the picture goes along a side of the texture.",
+                .arguments = {{"count", ArgumentType::Integer, "1 to 64"}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  const long count = a.integer("count");
+                  if (count < 1 || count > kMostRepeats) {
+                    throw UsageError("The picture can go 1 to 64 times along the texture.");
+                  }
+                  state.view.render.checkerRepeats = static_cast<float>(count);
+                }});
 }
 
 void addChecker(ActionRegistry& registry) {
@@ -87,22 +210,30 @@ void addChecker(ActionRegistry& registry) {
                 .run = [](AppState& state, const Arguments& a) {
                   setCheckerSize(state, a.number("squares"));
                 }});
-  registry.add(
-      {.id = "checker-kind",
-       .title = "Checkerboard of",
-       .help = "What stands on the checkerboard. Numbers show what is mirrored or turned, "
-               "circles in which direction the surface is stretched.",
-       .arguments =
-           {{"kind", ArgumentType::Choice, "which one", true, {"squares", "numbers", "circles"}}},
-       .refusal = {},
-       .run =
-           [](AppState& state, const Arguments& a) {
-             state.view.render.checkerKind = checkerKindFromId(a.text("kind"));
-           },
-       .checked =
-           [](const AppState& state, const Arguments& a) {
-             return checkerKindId(state.view.render.checkerKind) == a.text("kind");
-           }});
+  registry.add({.id = "checker-kind",
+                .title = "Checkerboard of",
+                .help = "What stands on the checkerboard. Numbers show what is mirrored or turned, "
+                        "circles in which direction the surface is stretched.",
+                .arguments = {{"kind",
+                               ArgumentType::Choice,
+                               "which one",
+                               true,
+                               {"squares", "numbers", "circles", "picture"}}},
+                .refusal = {},
+                .run =
+                    [](AppState& state, const Arguments& a) {
+                      const CheckerKind kind = checkerKindFromId(a.text("kind"));
+                      if (kind == CheckerKind::Picture && !state.view.render.checkerPicture) {
+                        throw Refusal(
+                            "There is no picture yet: drop a PNG or JPEG file onto the window.");
+                      }
+                      state.view.render.checkerKind = kind;
+                    },
+                .checked =
+                    [](const AppState& state, const Arguments& a) {
+                      return checkerKindId(state.view.render.checkerKind) == a.text("kind");
+                    }});
+  addCheckerPicture(registry);
   addSwitch(
       registry, "checker-in-texture", "By the texture",
       "Squares of one size in the texture; off: of one size on the model.", "",
@@ -115,7 +246,7 @@ void addChecker(ActionRegistry& registry) {
                 .run =
                     [](AppState& state, const Arguments& a) {
                       float& tint = state.view.render.checkerTint;
-                      tint = a.flag("on", !(tint > 0)) ? kTint : 0.0f;
+                      tint = a.flag("on", !(tint > 0)) ? RenderSettings{}.checkerTint : 0.0f;
                     },
                 .checked = [](const AppState& state,
                               const Arguments&) { return state.view.render.checkerTint > 0; }});

@@ -5,6 +5,8 @@
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
+#include "app/host/checker_picture.h"
+#include "app/host/picture_record.h"
 #include "core/base/error.h"
 #include "core/io/samples.h"
 
@@ -36,9 +38,15 @@ void addFileActions(ActionRegistry& registry) {
                 .title = "Open",
                 .help = "Reads a mesh file and floods it once, or goes on with a saved session.",
                 .arguments = {{"file", ArgumentType::Text,
-                               "OBJ, PLY, OFF, STL, glTF, GLB or a session (.chartflood)"}},
+                               "OBJ, PLY, OFF, STL, glTF, GLB, a session (.chartflood) or a "
+                               "picture saved here, or any other picture (PNG, JPEG) for the "
+                               "checkerboard"}},
                 .refusal = {},
                 .run = [](AppState& state, const Arguments& a) {
+                  const std::string name = a.text("file");
+                  if (isPictureFile(name) && !holdsSession(name)) {
+                    return putPictureOnCharts(state, name);
+                  }
                   state.whenSafe([file = a.text("file")](AppState& s) { s.open(file); });
                 }});
   registry.add(

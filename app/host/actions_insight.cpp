@@ -112,25 +112,43 @@ void showProblem(AppState& state, const std::string& id) {
   state.showChart(place.chart);
 }
 
+/// Unfolds the list of problems and brings it to the front, or folds it.
+void unfoldProblems(AppState& state, bool unfold) {
+  PanelState& p = state.panels;
+  p.problems = unfold;
+  if (!unfold) return;
+  p.right = true;
+  p.rightTab = PanelState::RightTab::Charts;
+  p.selectRightTab = true;
+}
+
 void addProblems(ActionRegistry& registry) {
+  registry.add({.id = "problems",
+                .title = "Problems",
+                .help = "Marks what deserves attention on the model and in the texture, and lists "
+                        "it in the tab of the charts.",
+                .arguments = {{"on", ArgumentType::Switch, "left out: turns it over", false}},
+                .refusal = {},
+                .run =
+                    [](AppState& state, const Arguments& a) {
+                      bool& marks = state.view.render.problems;
+                      marks = a.flag("on", !marks);
+                      unfoldProblems(state, marks);
+                    },
+                .checked = [](const AppState& state,
+                              const Arguments&) { return state.view.render.problems; }});
+  registry.bind("P", "problems");
   registry.add(
-      {.id = "problems",
+      {.id = "problem-list",
        .title = "Worth a look",
        .help = "Lists what deserves attention, in the tab of the charts.",
        .arguments = {{"on", ArgumentType::Switch, "left out: turns it over", false}},
        .refusal = {},
        .run =
            [](AppState& state, const Arguments& a) {
-             PanelState& p = state.panels;
-             const bool seen = p.problems && p.right && p.rightTab == PanelState::RightTab::Charts;
-             p.problems = a.flag("on", !seen);
-             if (!p.problems) return;
-             p.right = true;
-             p.rightTab = PanelState::RightTab::Charts;
-             p.selectRightTab = true;
+             unfoldProblems(state, a.flag("on", !state.panels.problems));
            },
        .checked = [](const AppState& state, const Arguments&) { return state.panels.problems; }});
-  registry.bind("P", "problems");
   std::vector<std::string> kinds;
   for (const ProblemKind kind : problemKinds()) kinds.emplace_back(problemId(kind));
   registry.add(

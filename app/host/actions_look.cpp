@@ -62,11 +62,34 @@ void addInversions(ActionRegistry& registry) {
       &Preferences::invertTurnY);
 }
 
+/// Free turning; without it the upright axis comes upright again.
+void addTrackball(ActionRegistry& registry) {
+  registry.add({.id = "trackball",
+                .title = "Turn freely (trackball)",
+                .help = "Dragging turns the model like a ball in the hand; off: its upright axis "
+                        "stays upright.",
+                .arguments = {{"on", ArgumentType::Switch, "left out: turns it over", false}},
+                .refusal = {},
+                .run =
+                    [](AppState& state, const Arguments& a) {
+                      bool& on = state.preferences.trackball;
+                      on = a.flag("on", !on);
+                      if (on) return;
+                      Camera& camera = state.view.camera;
+                      const bool z = camera.up == UpAxis::Z;
+                      camera.lookAlong(camera.forward(),
+                                       z ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
+                    },
+                .checked = [](const AppState& state,
+                              const Arguments&) { return state.preferences.trackball; }});
+}
+
 }  // namespace
 
 void addLookActions(ActionRegistry& registry) {
   addLooks(registry);
   addInversions(registry);
+  addTrackball(registry);
   addSwitch(
       registry, "preferences", "Preferences", "Theme, sizes, mouse and habits.", "Ctrl+,",
       [](auto& state) -> auto& { return state.panels.preferences; });

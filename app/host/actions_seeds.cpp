@@ -34,11 +34,12 @@ std::size_t seedOf(const AppState& state, const Arguments& a) {
     return static_cast<std::size_t>(seed);
   }
   if (state.hoveredSeed != kNone) return state.hoveredSeed;
-  throw Refusal("Point at a seed with the Seeds tool (G) first.");
+  if (state.chosenSeed < state.presentSeeds().size()) return state.chosenSeed;
+  throw Refusal("Point at a seed with the Seeds tool (G) first, or choose one with Tab.");
 }
 
-const ArgumentInfo kSeed = {"seed", ArgumentType::Integer, "its chart; left out: under the mouse",
-                            false};
+const ArgumentInfo kSeed = {"seed", ArgumentType::Integer,
+                            "its chart; left out: under the mouse or chosen", false};
 
 PanelState::Tool toolOf(const Arguments& a) {
   const std::string name = a.text("name");
@@ -59,7 +60,7 @@ void addTools(ActionRegistry& registry) {
        .run =
            [](AppState& state, const Arguments& a) {
              state.panels.tool = toolOf(a);
-             state.hoveredSeed = kNone;
+             state.hoveredSeed = state.chosenSeed = kNone;
              if (state.panels.tool == PanelState::Tool::Seeds) state.view.render.seedMarks = true;
            },
        .checked = [](const AppState& state,

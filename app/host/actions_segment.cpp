@@ -185,7 +185,7 @@ void addRuns(ActionRegistry& registry) {
                   }
                   if (!state.status().busy && !state.playback.playing() &&
                       !state.methodRuns.running()) {
-                    state.selectedChart = kNone;
+                    state.selectedChart = state.chosenSeed = kNone;
                   }
                   state.playback.pause();
                   state.session().stop();

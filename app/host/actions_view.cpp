@@ -9,7 +9,6 @@
 #include "app/host/app_state.h"
 #include "app/host/switch_action.h"
 #include "core/base/error.h"
-#include "render/color_map.h"
 
 namespace chartflood {
 
@@ -18,12 +17,6 @@ namespace {
 std::vector<std::string> modeIds() {
   std::vector<std::string> ids;
   for (ColorMode mode : availableColorModes()) ids.emplace_back(colorModeInfo(mode).id);
-  return ids;
-}
-
-std::vector<std::string> colorMapIds() {
-  std::vector<std::string> ids = {"auto"};
-  for (const ColorMap& map : colorMapTable()) ids.emplace_back(map.id);
   return ids;
 }
 
@@ -46,13 +39,12 @@ void addOverlays(ActionRegistry& registry) {
   overlay("color-bar", "Colour bar", "What the colours mean.", "B", &RenderSettings::scalarBar);
   overlay("smooth", "Smooth shading", "Hides the facets of smooth parts.", "",
           &RenderSettings::smoothNormals);
-  overlay("invert-colors", "Invert the colour map", "Swaps the ends of the colour map.", "",
-          &RenderSettings::invertColorMap);
 }
 
 void nextCheckerKind(AppState& state) {
   CheckerKind& kind = state.view.render.checkerKind;
-  kind = static_cast<CheckerKind>((static_cast<int>(kind) + 1) % 3);
+  const int kinds = state.view.render.checkerPicture ? 4 : 3;
+  kind = static_cast<CheckerKind>((static_cast<int>(kind) + 1) % kinds);
 }
 
 void addColors(ActionRegistry& registry) {
@@ -63,7 +55,7 @@ void addColors(ActionRegistry& registry) {
                 .refusal = {},
                 .run =
                     [](AppState& state, const Arguments& a) {
-                      state.view.render.colorMode = findColorMode(a.text("mode"))->mode;
+                      showColorMode(state.view, findColorMode(a.text("mode"))->mode);
                     },
                 .checked =
                     [](const AppState& state, const Arguments& a) {
@@ -92,28 +84,13 @@ void addColors(ActionRegistry& registry) {
                 },
                 .run =
                     [](AppState& state, const Arguments&) {
-                      ColorMode& mode = state.view.render.colorMode;
+                      const ColorMode mode = state.view.render.colorMode;
                       if (mode == ColorMode::Checkerboard) return nextCheckerKind(state);
                       const auto family = colorModeFamily(mode);
                       const auto at = std::find(family.begin(), family.end(), mode) + 1;
-                      mode = at == family.end() ? family.front() : *at;
+                      showColorMode(state.view, at == family.end() ? family.front() : *at);
                     }});
   registry.bind("Q", "next-sub-mode");
-  registry.add({.id = "colormap",
-                .title = "Colour map",
-                .help = "Chooses the colours of values; auto takes the mode's own.",
-                .arguments = {{"name", ArgumentType::Choice, "which one", true, colorMapIds()}},
-                .refusal = {},
-                .run =
-                    [](AppState& state, const Arguments& a) {
-                      const std::string name = a.text("name");
-                      state.view.render.colorMap = name == "auto" ? "" : name;
-                    },
-                .checked =
-                    [](const AppState& state, const Arguments& a) {
-                      const std::string& map = state.view.render.colorMap;
-                      return (map.empty() ? "auto" : map) == a.text("name");
-                    }});
 }
 
 void addCamera(ActionRegistry& registry) {

@@ -65,7 +65,8 @@ void AppState::movePlayback(double seconds) {
 }
 
 void AppState::takeNewMesh() {
-  hoveredFace = pointedChart = selectedChart = hoveredSeed = panels.shownFace = kNone;
+  hoveredFace = pointedChart = selectedChart = hoveredSeed = chosenSeed = panels.shownFace = kNone;
+  view.hiddenCharts.clear();
   seedDrag.reset();
   hintStroke.reset();
   undo_.clear();  // its seeds are faces of another mesh
@@ -107,8 +108,9 @@ void AppState::takeSession(Opening& opening) {
   const std::vector<Index> hidden = std::exchange(view.render.hiddenCharts, {});
   if (selected.size() == 1 && selected[0] < session.charts.seeds.size()) {
     selectedChart = selected[0];
-    view.isolate = !hidden.empty();
+    view.isolate = hidden.size() + 1 == session.charts.seeds.size();
   }
+  if (!view.isolate) view.hiddenCharts = hidden;
   SessionContent content = sessionContent(session, *results_->mesh, results_->checksum);
   add(content.warnings);
   for (std::string& warning : warnings) notices.add(Notice::Kind::Warning, std::move(warning));
@@ -355,7 +357,7 @@ void AppState::request(const std::optional<StepRequest>& step) {
 
 void AppState::open(const std::filesystem::path& file) {
   if (isSessionFile(file)) return openSession(readSession(file), file);
-  if (isPictureFile(file)) {
+  if (isPngFile(file)) {
     const std::filesystem::path model = findModel(modelOfPicture(file), file);
     return openSession(readPictureSource(file, model).session, {});
   }

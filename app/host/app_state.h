@@ -59,6 +59,7 @@ struct PanelState {
   bool barsByValue = false;  ///< bars of charts stand by size, not by number
   int viewWidth = 1, viewHeight = 1;  ///< of all views of the model together, pixels
   bool picture = false;               ///< the dialog of pictures is open
+  bool legend = false;                ///< the editor of the colours is open
   bool keys = false, log = false, about = false;
   bool preferences = false;    ///< their window is open
   bool namesPreset = false;    ///< the question for a preset's name is asked
@@ -230,6 +231,7 @@ class AppState {
   Index hoveredFace = kNone;         ///< under the mouse on the model or in the texture
   Index pointedChart = kNone;  ///< under the mouse in a plot or list; hoveredChart() says both
   Index selectedChart = kNone;
+  Index chosenSeed = kNone;   ///< that the keyboard moves in the seeds tool
   Index hoveredSeed = kNone;  ///< under the mouse in the seeds tool
   std::optional<SeedDrag> seedDrag;
   std::optional<HintStroke> hintStroke;  ///< follows the mouse

@@ -73,6 +73,8 @@ RenderSettings paneLook(const AppState& state, ComparePane pane) {
   settings.checkerInTexture = checker.checkerInTexture;
   settings.checkerKind = checker.checkerKind;
   settings.checkerTint = checker.checkerTint;
+  settings.checkerPicture = checker.checkerPicture;
+  settings.checkerRepeats = checker.checkerRepeats;
   // A pointed-at face is the same on all sides of one model.
   const bool sameMesh = paneResults(state, pane).mesh == state.results().mesh;
   settings.hoverFace = sameMesh ? state.hoveredFace : kNone;

@@ -48,11 +48,28 @@ std::shared_ptr<const SurfaceDerived> Insight::surface(const Results& results) {
   return value && value->mesh == results.mesh ? value : nullptr;
 }
 
-std::shared_ptr<const std::vector<Problem>> Insight::problems(const Results& results) {
+std::shared_ptr<const Insight::ProblemReport> Insight::problemReport(const Results& results) {
   if (!labelled(results) || !results.chartStats) return nullptr;
   return problems_.get(
       {results.segmentation, results.chartStats, results.gaussArea, results.atlas, results.flat},
-      place_, [results] { return findProblems(results); });
+      place_, [results] {
+        std::vector<Problem> problems = findProblems(results);
+        SurfaceMarks marks =
+            chartflood::problemMarks(*results.mesh, *results.segmentation, problems);
+        return ProblemReport{results.segmentation, std::move(problems), std::move(marks)};
+      });
+}
+
+std::shared_ptr<const std::vector<Problem>> Insight::problems(const Results& results) {
+  const auto report = problemReport(results);
+  if (!report) return nullptr;
+  return {report, &report->problems};
+}
+
+std::shared_ptr<const SurfaceMarks> Insight::problemMarks(const Results& results) {
+  const auto report = problemReport(results);
+  if (!report || report->segmentation != results.segmentation) return nullptr;
+  return {report, &report->marks};
 }
 
 std::shared_ptr<const std::vector<ModeHistogram>>

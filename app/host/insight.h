@@ -10,6 +10,7 @@
 
 #include "app/host/histogram.h"
 #include "app/host/lazy_value.h"
+#include "app/host/problem_marks.h"
 #include "app/host/problems.h"
 #include "app/host/sphere_patch.h"
 #include "app/host/surface_derived.h"
@@ -37,6 +38,8 @@ class Insight {
   /// Null until it belongs to the mesh of the results.
   std::shared_ptr<const SurfaceDerived> surface(const Results& results);
   std::shared_ptr<const std::vector<Problem>> problems(const Results& results);
+  /// The same as it is drawn; null until it belongs to the segmentation of the results.
+  std::shared_ptr<const SurfaceMarks> problemMarks(const Results& results);
   /// Histograms of the present colour mode at a moment.
   std::shared_ptr<const std::vector<ModeHistogram>>
   histograms(const Results& results, const ShownMoment& moment, const RenderSettings& settings);
@@ -45,7 +48,12 @@ class Insight {
   std::shared_ptr<const std::vector<SphereDot>> dots(const Results& results);
 
  private:
-  using Problems = std::vector<Problem>;
+  /// What was found in one segmentation.
+  struct ProblemReport {
+    std::shared_ptr<const Segmentation> segmentation;
+    std::vector<Problem> problems;
+    SurfaceMarks marks;
+  };
   using Histograms = std::vector<ModeHistogram>;
   using Dots = std::vector<SphereDot>;
   /// A patch with what it was made from.
@@ -66,13 +74,14 @@ class Insight {
   };
 
   struct Waker;
+  std::shared_ptr<const ProblemReport> problemReport(const Results& results);
 
   std::shared_ptr<Waker> waker_;
   WorkPlace place_;
   LazyValue<std::shared_ptr<const GaussArea>, SurfaceDerived> surface_;
   LazyValue<std::tuple<std::shared_ptr<const Segmentation>, std::shared_ptr<const ChartStats>,
                        std::shared_ptr<const GaussArea>, std::shared_ptr<const Atlas>, bool>,
-            Problems>
+            ProblemReport>
       problems_;
   LazyValue<HistogramKey, Histograms> histograms_;
   LazyValue<

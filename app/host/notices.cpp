@@ -40,7 +40,9 @@ void Notices::add(Notice::Kind kind, std::string text) {
 }
 
 void Notices::update(double seconds) {
-  for (Toast& toast : toasts_) toast.age += seconds;
+  for (Toast& toast : toasts_) {
+    if (!std::exchange(toast.fresh, false)) toast.age += seconds;
+  }
   std::erase_if(toasts_, [](const Toast& toast) {
     return toast.kind != Notice::Kind::Error && toast.age > kToastSeconds;
   });

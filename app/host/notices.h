@@ -15,7 +15,8 @@ namespace chartflood {
 struct Toast {
   Notice::Kind kind = Notice::Kind::Info;
   std::string text;
-  double age = 0;  ///< seconds shown
+  double age = 0;  ///< seconds shown; the wait for the first frame does not count
+  bool fresh = true;
 };
 
 class Notices {

@@ -115,10 +115,20 @@ ImageTexts pictureTexts(const std::string& session, const PictureRecord& record,
           {kSessionKey, session}};
 }
 
-bool isPictureFile(const std::filesystem::path& file) {
+bool isPngFile(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   return ending == ".png";
+}
+
+bool holdsSession(const std::filesystem::path& file) {
+  if (!isPngFile(file)) return false;
+  try {
+    readTexts(file);
+    return true;
+  } catch (const ReadError&) {
+    return false;
+  }
 }
 
 PictureSource readPictureSource(const std::filesystem::path& file,

@@ -32,8 +32,10 @@ PictureRecord readRecord(const std::string& text, const std::string& file);
 ImageTexts pictureTexts(const std::string& session, const PictureRecord& record,
                         const std::string& commandLine);
 
-/// True for a name that ends in ".png", whatever the case.
-bool isPictureFile(const std::filesystem::path& file);
+/// True for a name that ends in ".png", whatever the case: such files may say how they were made.
+bool isPngFile(const std::filesystem::path& file);
+/// True for a PNG file that says how it was made; false for all others, readable or not.
+bool holdsSession(const std::filesystem::path& file);
 
 struct PictureSource {
   SessionFile session;

@@ -45,12 +45,14 @@ class Values {
     }
   }
   /// {name: {option: value, ..}, ..}
-  void readPresets(std::vector<UserPreset>& presets) {
+  void readPresets(Preferences& result) {
     if (!json_.contains("presets")) return;
+    std::vector<UserPreset>& presets = result.presets;
     for (const auto& [name, values] : json_["presets"].items()) {
       const std::string problem = presetNameProblem(presets, name);
       if (!values.is_object() || !problem.empty()) {
-        warn("holds an unusable preset '" + name + "'");
+        warn("holds an unusable preset '" + name + "', which is kept as it is");
+        result.unusablePresets.emplace_back(name, values.dump());
         continue;
       }
       UserPreset preset{name, {}};
@@ -77,9 +79,12 @@ class Values {
   Json json_ = Json::object();
 };
 
-Json presetsJson(const std::vector<UserPreset>& presets) {
+Json presetsJson(const Preferences& preferences) {
   Json json = Json::object();
-  for (const UserPreset& preset : presets) {
+  for (const auto& [name, text] : preferences.unusablePresets) {
+    json[name] = Json::parse(text, nullptr, false);
+  }
+  for (const UserPreset& preset : preferences.presets) {
     Json values = Json::object();
     for (const auto& [id, text] : preset.values) values[id] = text;
     json[preset.name] = std::move(values);
@@ -176,12 +181,13 @@ Preferences readPreferences(const std::filesystem::path& configFolder,
   config.read("ui-scale", result.uiScale, &Json::is_number);
   config.read("navigation", navigation, &Json::is_string);
   config.read("invert-zoom", result.invertZoom, &Json::is_boolean);
+  config.read("trackball", result.trackball, &Json::is_boolean);
   config.read("invert-turn-x", result.invertTurnX, &Json::is_boolean);
   config.read("invert-turn-y", result.invertTurnY, &Json::is_boolean);
   config.read("live", live, &Json::is_string);
   config.read("first-steps", result.firstCard, &Json::is_boolean);
   config.read("ask-unsaved", result.askUnsaved, &Json::is_boolean);
-  config.readPresets(result.presets);
+  config.readPresets(result);
   readPicture(config, result.picture, warning);
   std::string many = manyFacesId(result.film.many);
   config.read("many", many, &Json::is_string);
@@ -211,12 +217,13 @@ void writePreferences(const Preferences& preferences, const std::filesystem::pat
              {"ui-scale", preferences.uiScale},
              {"navigation", navigationStyleId(preferences.navigation)},
              {"invert-zoom", preferences.invertZoom},
+             {"trackball", preferences.trackball},
              {"invert-turn-x", preferences.invertTurnX},
              {"invert-turn-y", preferences.invertTurnY},
              {"live", liveModeId(preferences.live)},
              {"first-steps", preferences.firstCard},
              {"ask-unsaved", preferences.askUnsaved},
-             {"presets", presetsJson(preferences.presets)},
+             {"presets", presetsJson(preferences)},
              {"many", manyFacesId(preferences.film.many)},
              {"reduced-motion", preferences.film.reducedMotion},
              {"picture", pictureJson(preferences.picture)}});

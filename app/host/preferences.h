@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/host/film_preferences.h"
@@ -23,6 +24,7 @@ struct Preferences {
   double uiScale = 0;  ///< 0: as the screen proposes; else 0.75 to 2.5
   NavigationStyle navigation = NavigationStyle::Simple;
   bool invertZoom = false;
+  bool trackball = false;  ///< turning is free; else the upright axis stays upright
   bool invertTurnX = false, invertTurnY = false;  ///< dragging right turns left, and so on
   LiveMode live = LiveMode::Auto;
   FilmPreferences film;
@@ -34,6 +36,8 @@ struct Preferences {
   std::vector<std::string> recentFiles;  ///< newest first, at most kMostRecent
 
   std::vector<UserPreset> presets;  ///< in the order of saving
+  /// Entries of the file that are no presets, as (name, JSON): written back as they were.
+  std::vector<std::pair<std::string, std::string>> unusablePresets;
 
   static constexpr std::size_t kMostRecent = 10;
 

@@ -4,18 +4,24 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
+
+#include "app/host/thickness.h"
+#include "core/param/uv_overlaps.h"
 
 namespace chartflood {
 
 namespace {
 
-constexpr std::array kKinds = {ProblemKind::NotDisks,   ProblemKind::NotFlat,
-                               ProblemKind::Flipped,    ProblemKind::DegenerateFaces,
-                               ProblemKind::ThinCharts, ProblemKind::OpenSharpEdges};
+constexpr std::array kKinds = {ProblemKind::NotDisks,        ProblemKind::NotFlat,
+                               ProblemKind::Flipped,         ProblemKind::Overlapping,
+                               ProblemKind::DegenerateFaces, ProblemKind::ThinCharts,
+                               ProblemKind::OpenSharpEdges,  ProblemKind::NonManifoldEdges};
+
+/// Less than this is no overlap, pixels of the texture: nobody could paint on it.
+constexpr double kLeastOverlap = 0.05;
 
 struct KindInfo {
   const char *id, *one, *many, *help;
@@ -29,6 +35,8 @@ constexpr std::array<KindInfo, kKinds.size()> kInfos = {{
      "The unwrap left them out: they have no place in the texture."},
     {"flipped", "flipped triangle", "flipped triangles",
      "They face the other way in the texture: paint comes out mirrored and twice in one place."},
+    {"overlapping", "triangle over another", "triangles over others",
+     "They share a place of the texture: paint on one shows on the other too."},
     {"degenerate-faces", "face without area", "faces without area",
      "They have no direction of their own and follow their neighbours. Usually harmless."},
     {"thin-charts", "thin chart", "thin charts",
@@ -37,49 +45,13 @@ constexpr std::array<KindInfo, kKinds.size()> kInfos = {{
     {"open-sharp-edges", "sharp edge inside a chart", "sharp edges inside charts",
      "No border follows them: shading and paint run across the crease. More crease avoidance or "
      "more charts help."},
+    {"non-manifold-edges", "edge of more than two faces", "edges of more than two faces",
+     "The surface branches there. It was split apart, so that a chart never runs across."},
 }};
 
 const KindInfo& infoOf(ProblemKind kind) { return kInfos[static_cast<std::size_t>(kind)]; }
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
-/// Corners of the convex hull, counter-clockwise (Andrew's monotone chain).
-std::vector<glm::dvec2> convexHull(std::span<const glm::dvec2> points) {
-  std::vector<glm::dvec2> sorted(points.begin(), points.end());
-  std::sort(sorted.begin(), sorted.end(), [](const glm::dvec2& a, const glm::dvec2& b) {
-    return a.x != b.x ? a.x < b.x : a.y < b.y;
-  });
-  std::vector<glm::dvec2> hull;
-  const auto add = [&](const glm::dvec2& p, std::size_t fixed) {
-    while (hull.size() >= fixed + 2 &&
-           cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
-      hull.pop_back();
-    }
-    hull.push_back(p);
-  };
-  for (const glm::dvec2& p : sorted) add(p, 0);
-  const std::size_t lower = hull.size() - (hull.empty() ? 0 : 1);
-  for (auto p = sorted.rbegin(); p != sorted.rend(); ++p) add(*p, lower);
-  if (hull.size() > 1) hull.pop_back();
-  return hull;
-}
-
-/// Least distance between two parallel lines around the points: one of them holds a side of the
-/// hull.
-double leastWidth(std::span<const glm::dvec2> points) {
-  const std::vector<glm::dvec2> hull = convexHull(points);
-  if (hull.size() < 3) return 0;
-  double least = std::numeric_limits<double>::max();
-  std::size_t far = 1;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const glm::dvec2 side = hull[(i + 1) % hull.size()] - hull[i];
-    const auto height = [&](std::size_t k) { return cross(side, hull[k % hull.size()] - hull[i]); };
-    // The farthest corner only moves on as the sides turn.
-    for (std::size_t n = 0; n < hull.size() && height(far + 1) > height(far); ++n) ++far;
-    least = std::min(least, height(far) / std::max(glm::length(side), 1e-300));
-  }
-  return least;
-}
 
 /// Whether the unwrap belongs to the charts.
 bool isFlat(const Results& r) {
@@ -90,7 +62,7 @@ bool isFlat(const Results& r) {
 /// A place for each chart that `test` says yes to.
 template <typename Test>
 void addCharts(std::size_t charts, ProblemKind kind, Test&& test, std::vector<Problem>& out) {
-  Problem problem{kind, 0, 0, {}};
+  Problem problem{kind, 0, 0, {}, {}, {}};
   for (Index c = 0; c < charts; ++c) {
     if (test(c)) problem.places.push_back({c, kNone});
   }
@@ -98,22 +70,74 @@ void addCharts(std::size_t charts, ProblemKind kind, Test&& test, std::vector<Pr
   if (problem.count > 0) out.push_back(std::move(problem));
 }
 
-void addFlipped(const Unwrap& unwrap, std::vector<Problem>& out) {
-  Problem problem{ProblemKind::Flipped, 0, 0, {}};
-  for (Index c = 0; c < unwrap.charts.size(); ++c) {
-    if (unwrap.charts[c].distortion.flipped == 0 || unwrap.charts[c].uv.empty()) continue;
-    problem.count += unwrap.charts[c].distortion.flipped;
-    problem.places.push_back({c, kNone});
+/// Counts triangles by chart, the charts with most of them first.
+void addTriangles(std::vector<Index> triangles, const Results& results, ProblemKind kind,
+                  std::vector<Problem>& out) {
+  if (triangles.empty()) return;
+  Problem problem{kind, triangles.size(), 0, {}, std::move(triangles), {}};
+  std::vector<std::size_t> count(results.charts->charts.size(), 0);
+  for (const Index t : problem.triangles) {
+    const Index chart = results.segmentation->label[results.mesh->faceOf(t)];
+    if (chart < count.size()) ++count[chart];
   }
-  std::stable_sort(problem.places.begin(), problem.places.end(), [&](const auto& a, const auto& b) {
-    return unwrap.charts[a.chart].distortion.flipped > unwrap.charts[b.chart].distortion.flipped;
-  });
-  if (problem.count > 0) out.push_back(std::move(problem));
+  for (Index c = 0; c < count.size(); ++c) {
+    if (count[c] > 0) problem.places.push_back({c, kNone});
+  }
+  std::stable_sort(problem.places.begin(), problem.places.end(),
+                   [&](const auto& a, const auto& b) { return count[a.chart] > count[b.chart]; });
+  if (!problem.places.empty()) out.push_back(std::move(problem));
+}
+
+/// Calls `visit` with each triangle of the mesh that lies in the texture, and its places there.
+template <typename Visit>
+void eachFlatTriangle(const Results& results, Index chart, Visit&& visit) {
+  const ChartSurface& surface = results.charts->charts[chart].surface;
+  const auto& uv = results.atlas->uv[chart];
+  if (uv.size() != surface.vertexCount()) return;
+  for (std::size_t t = 0; t < surface.triangleCount(); ++t) {
+    const auto& v = surface.triangles[t];
+    visit(surface.meshTriangle[t], PlaneTriangle{uv[v[0]], uv[v[1]], uv[v[2]]});
+  }
+}
+
+double signedArea(const PlaneTriangle& t) { return cross(t[1] - t[0], t[2] - t[0]) / 2; }
+
+void addFlipped(const Results& results, std::vector<Problem>& out) {
+  std::vector<Index> flipped;
+  for (Index c = 0; c < results.atlas->uv.size(); ++c) {
+    if (results.unwrap->charts[c].distortion.flipped == 0) continue;
+    double sum = 0;
+    eachFlatTriangle(results, c, [&](Index, const PlaneTriangle& t) { sum += signedArea(t); });
+    eachFlatTriangle(results, c, [&](Index triangle, const PlaneTriangle& t) {
+      if (signedArea(t) * sum < 0) flipped.push_back(triangle);
+    });
+  }
+  std::sort(flipped.begin(), flipped.end());
+  addTriangles(std::move(flipped), results, ProblemKind::Flipped, out);
+}
+
+void addOverlapping(const Results& results, std::vector<Problem>& out) {
+  std::vector<Index> triangle;
+  std::vector<PlaneTriangle> places;
+  for (Index c = 0; c < results.atlas->uv.size(); ++c) {
+    eachFlatTriangle(results, c, [&](Index t, const PlaneTriangle& place) {
+      triangle.push_back(t);
+      places.push_back(place);
+    });
+  }
+  const double size = std::max(results.atlas->textureSize, 1);
+  const std::vector<bool> over = findOverlaps(places, kLeastOverlap / size);
+  std::vector<Index> found;
+  for (std::size_t i = 0; i < over.size(); ++i) {
+    if (over[i]) found.push_back(triangle[i]);
+  }
+  std::sort(found.begin(), found.end());
+  addTriangles(std::move(found), results, ProblemKind::Overlapping, out);
 }
 
 void addDegenerate(const Results& results, std::vector<Problem>& out) {
   const Mesh& mesh = *results.mesh;
-  Problem problem{ProblemKind::DegenerateFaces, 0, 0, {}};
+  Problem problem{ProblemKind::DegenerateFaces, 0, 0, {}, {}, {}};
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
     if (!mesh.degenerate(t)) continue;
     const Index face = mesh.faceOf(t);
@@ -139,7 +163,6 @@ double pixelThickness(const ChartSurface& surface, std::span<const glm::dvec2> u
 }
 
 void addThin(const Results& results, std::vector<Problem>& out) {
-  if (!results.atlas) return;
   const Atlas& atlas = *results.atlas;
   const auto size = static_cast<double>(atlas.textureSize);
   addCharts(
@@ -170,7 +193,7 @@ void addSharpEdges(const Results& results, std::vector<Problem>& out) {
   const std::vector<Index>& label = results.segmentation->label;
   const std::vector<bool> cut = cutSides(results);
   std::vector<double> open(results.segmentation->chartCount, 0.0);
-  Problem problem{ProblemKind::OpenSharpEdges, 0, 0, {}};
+  Problem problem{ProblemKind::OpenSharpEdges, 0, 0, {}, {}, {}};
   double all = 0, inside = 0;
   for (const Index side : results.gaussArea->sharpEdges) {
     const double length =
@@ -180,6 +203,7 @@ void addSharpEdges(const Results& results, std::vector<Problem>& out) {
     if (chart == kNone || chart != label[mesh.faceOf(mesh.opposite()[side] / 3)] || cut[side])
       continue;
     ++problem.count;
+    problem.sides.push_back(side);
     inside += length;
     open[chart] += length;
   }
@@ -192,6 +216,39 @@ void addSharpEdges(const Results& results, std::vector<Problem>& out) {
                    [&](const auto& a, const auto& b) { return open[a.chart] > open[b.chart]; });
   // Creases of no length have a chart all the same.
   if (!problem.places.empty()) out.push_back(std::move(problem));
+}
+
+/// Edges of the input that more than two triangles share. The mesh has split them apart, and says
+/// whether there were any.
+void addNonManifold(const Results& results, std::vector<Problem>& out) {
+  const Mesh& mesh = *results.mesh;
+  const auto repairs = mesh.repairs();
+  if (std::none_of(repairs.begin(), repairs.end(),
+                   [](const Repair& r) { return r.what == "non-manifold-edges"; })) {
+    return;
+  }
+  const std::vector<Index>& weld = mesh.input().weld;
+  const auto inputVertex = [&](Index vertex) {
+    const Index v = mesh.inputVertex(vertex);
+    return weld.empty() ? v : weld[v];
+  };
+  using Ends = std::pair<Index, Index>;
+  std::vector<std::pair<Ends, Index>> sides;
+  for (Index side = 0; side < mesh.opposite().size(); ++side) {
+    const Index a = inputVertex(mesh.sideStart(side)), b = inputVertex(mesh.sideEnd(side));
+    sides.push_back({{std::min(a, b), std::max(a, b)}, side});
+  }
+  std::sort(sides.begin(), sides.end());
+  Problem problem{ProblemKind::NonManifoldEdges, 0, 0, {}, {}, {}};
+  for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
+    while (end < sides.size() && sides[end].first == sides[first].first) ++end;
+    if (end - first < 3) continue;
+    ++problem.count;
+    const Index side = sides[first].second, face = mesh.faceOf(side / 3);
+    problem.sides.push_back(side);
+    problem.places.push_back({results.segmentation->label[face], face});
+  }
+  if (problem.count > 0) out.push_back(std::move(problem));
 }
 
 }  // namespace
@@ -214,11 +271,6 @@ std::string problemText(const Problem& problem) {
   return text;
 }
 
-double thickness(std::span<const glm::dvec2> points, double area, double perimeter) {
-  const double hydraulic = perimeter > 0 ? 4 * area / perimeter : 0;
-  return std::min(leastWidth(points), hydraulic);
-}
-
 std::vector<Problem> findProblems(const Results& results) {
   std::vector<Problem> problems;
   if (!results.mesh || !results.segmentation || !results.chartStats) return problems;
@@ -237,11 +289,17 @@ std::vector<Problem> findProblems(const Results& results) {
           return results.unwrap->charts[c].uv.empty() && results.charts->charts[c].disk();
         },
         problems);
-    addFlipped(*results.unwrap, problems);
+  }
+  const bool placed =
+      flat && results.atlas && results.atlas->uv.size() == results.charts->charts.size();
+  if (placed) {
+    addFlipped(results, problems);
+    addOverlapping(results, problems);
   }
   addDegenerate(results, problems);
-  if (flat) addThin(results, problems);
+  if (placed) addThin(results, problems);
   addSharpEdges(results, problems);
+  addNonManifold(results, problems);
   return problems;
 }
 

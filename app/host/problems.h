@@ -6,20 +6,20 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec2.hpp>
-
 #include "core/base/index.h"
 #include "core/session/session.h"
 
 namespace chartflood {
 
 enum class ProblemKind {
-  NotDisks,         ///< charts that cannot lie flat
-  NotFlat,          ///< charts that the unwrap left out
-  Flipped,          ///< triangles that the unwrap turned over
-  DegenerateFaces,  ///< faces with a triangle without area
-  ThinCharts,       ///< thinner in the texture than kThinPixels
-  OpenSharpEdges,   ///< creases inside a chart: no border follows them
+  NotDisks,          ///< charts that cannot lie flat
+  NotFlat,           ///< charts that the unwrap left out
+  Flipped,           ///< triangles that the unwrap turned over
+  Overlapping,       ///< triangles that share a place of the texture
+  DegenerateFaces,   ///< faces with a triangle without area
+  ThinCharts,        ///< thinner in the texture than kThinPixels
+  OpenSharpEdges,    ///< creases inside a chart: no border follows them
+  NonManifoldEdges,  ///< of the input, which the mesh has split apart
 };
 
 /// Charts thinner than this many pixels of the texture are hard to paint on.
@@ -36,21 +36,17 @@ struct Problem {
   std::size_t count = 0;             ///< of charts, triangles, faces or edges
   double share = 0;                  ///< OpenSharpEdges: of the length of all creases, in [0, 1]
   std::vector<ProblemPlace> places;  ///< worst first, then ascending; never empty
+  std::vector<Index> triangles;      ///< of the mesh that are meant, ascending; may be empty
+  std::vector<Index> sides;          ///< of the mesh that are meant, one an edge; may be empty
 };
 
-/// "not-disks", "not-flat", "flipped", "degenerate-faces", "thin-charts", "open-sharp-edges".
+/// "not-disks", "not-flat", "flipped", "degenerate-faces", "thin-charts", ...
 const char* problemId(ProblemKind kind);
 std::span<const ProblemKind> problemKinds();
 /// "3 charts are no disks": the count and what it is of.
 std::string problemText(const Problem& problem);
 /// Why it matters and what helps, one or two sentences.
 const char* problemHelp(ProblemKind kind);
-
-/// How thick an outline is: the smaller of the least distance between two parallel lines that hold
-/// all points, and 4 area / perimeter (the hydraulic diameter, which sees strips that bend; exact
-/// for disks and squares, twice the width for long strips). Units of the points.
-/// `area` and `perimeter` are those of the outline; `points` hold its corners, in any order.
-double thickness(std::span<const glm::dvec2> points, double area, double perimeter);
 
 /// Looks through all results. Charts of an unwrap count only while it belongs to the segmentation
 /// (Results::flat). Kinds without a finding are left out; the others come in the order of

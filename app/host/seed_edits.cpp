@@ -100,6 +100,9 @@ void deleteSeed(AppState& state, std::size_t seed) {
   requireOther(requireMesh(state), seeds, seed);
   seeds.erase(seeds.begin() + static_cast<std::ptrdiff_t>(seed));
   state.hoveredSeed = kNone;  // the later ones have new numbers
+  if (state.chosenSeed != kNone && state.chosenSeed >= seed && state.chosenSeed > 0) {
+    --state.chosenSeed;
+  }
   change(state, std::move(seeds), "Delete " + seedName(seed), "delete-seed");
 }
 

@@ -8,6 +8,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "app/host/checker_picture.h"
+#include "app/host/session_legend.h"
+#include "core/base/error.h"
 #include "render/chart_palette.h"
 #include "render/color_map.h"
 
@@ -18,7 +21,7 @@ namespace {
 using Numbers = std::vector<double>;
 
 /// The limits of the checkerboard's action.
-constexpr double kFewestSquares = 1, kMostSquares = 1000;
+constexpr double kFewestSquares = 1, kMostSquares = 1000, kMostRepeats = 64;
 
 /// One named setting: how it is read off and set. `set` says whether the value could be used.
 struct ViewRow {
@@ -59,6 +62,7 @@ std::vector<ViewRow> overlayRows() {
           switchRow("sharp-edges", &RenderSettings::sharpEdges),
           switchRow("seed-marks", &RenderSettings::seedMarks),
           switchRow("numbers", &RenderSettings::numbers),
+          switchRow("problems", &RenderSettings::problems),
           switchRow("scalar-bar", &RenderSettings::scalarBar),
           switchRow("smooth", &RenderSettings::smoothNormals),
           switchRow("invert-colors", &RenderSettings::invertColorMap)};
@@ -86,6 +90,11 @@ bool setRange(ViewSettings& view, const SessionValue& value) {
   if (ends == nullptr || !((*ends)[0] < (*ends)[1])) return false;
   view.render.range = {(*ends)[0], (*ends)[1]};
   return true;
+}
+
+bool setLegends(ViewSettings& view, const SessionValue& value) {
+  const std::string* text = std::get_if<std::string>(&value);
+  return text != nullptr && applyLegends(*text, view);
 }
 
 SessionValue groundOf(const ViewSettings& view) {
@@ -154,6 +163,8 @@ std::vector<ViewRow> colorRows() {
            setColorMap},
           {"range", range, setRange,
            [](const ViewSettings& view) { return view.render.range.has_value(); }},
+          {"legends", [](const ViewSettings& view) { return SessionValue(legendsText(view)); },
+           setLegends, [](const ViewSettings& view) { return !legendsText(view).empty(); }},
           {"background", groundOf, setGround},
           chartsRow("selected-charts", &RenderSettings::selectedCharts),
           chartsRow("hidden-charts", &RenderSettings::hiddenCharts),
@@ -236,7 +247,7 @@ bool setCheckerKind(ViewSettings& view, const SessionValue& value) {
   const std::string* id = std::get_if<std::string>(&value);
   if (id == nullptr) return false;
   for (const CheckerKind kind :
-       {CheckerKind::Squares, CheckerKind::Numbers, CheckerKind::Circles}) {
+       {CheckerKind::Squares, CheckerKind::Numbers, CheckerKind::Circles, CheckerKind::Picture}) {
     if (*id != checkerKindId(kind)) continue;
     view.render.checkerKind = kind;
     return true;
@@ -244,11 +255,28 @@ bool setCheckerKind(ViewSettings& view, const SessionValue& value) {
   return false;
 }
 
+bool setCheckerFile(ViewSettings& view, const SessionValue& value) {
+  const std::string* file = std::get_if<std::string>(&value);
+  if (file == nullptr) return false;
+  const CheckerKind kind = view.render.checkerKind;
+  try {
+    setCheckerPicture(*file, view);
+  } catch (const ReadError&) {
+    return false;
+  }
+  view.render.checkerKind = kind;
+  return true;
+}
+
 std::vector<ViewRow> checkerRows() {
   const auto kind = [](const ViewSettings& view) {
     return SessionValue(std::string(checkerKindId(view.render.checkerKind)));
   };
   return {{"checker-kind", kind, setCheckerKind},
+          {"checker-picture",
+           [](const ViewSettings& view) { return SessionValue(view.checkerFile); }, setCheckerFile,
+           [](const ViewSettings& view) { return !view.checkerFile.empty(); }},
+          shareRow("checker-repeats", &RenderSettings::checkerRepeats, 1, kMostRepeats),
           shareRow("checker-size", &RenderSettings::checkerSquares, kFewestSquares, kMostSquares),
           shareRow("checker-tint", &RenderSettings::checkerTint, 0, 1),
           switchRow("checker-in-texture", &RenderSettings::checkerInTexture)};

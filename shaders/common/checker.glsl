@@ -1,5 +1,5 @@
 // The checkerboard, smoothed over the width of a pixel. CHECKER 0: squares, 1: squares with a
-// letter for the column and a digit for the row, 2: discs.
+// letter for the column and a digit for the row, 2: discs, 3: a picture.
 
 #ifndef CHECKER
 #define CHECKER 0
@@ -63,7 +63,15 @@ float checkerLight(vec2 place) {
 #endif
 }
 
+#if CHECKER == 3
+uniform sampler2D uCheckerPicture;  // premultiplied by alpha
+#endif
+
 vec3 checkerColor(vec2 place, vec3 chart) {
+#if CHECKER == 3
+  vec4 texel = texture(uCheckerPicture, place);
+  return texel.rgb + (1.0 - texel.a) * vec3(0.6);
+#endif
   vec3 dark = mix(vec3(0.36), 0.62 * chart, uCheckerTint);
   vec3 light = mix(vec3(0.92), mix(vec3(1.0), chart, 0.45), uCheckerTint);
   return mix(dark, light, checkerLight(place));

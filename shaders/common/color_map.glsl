@@ -16,6 +16,12 @@ float scaled(float value) {
   return uScale == 1 ? sqrt(t) : t;
 }
 
+// Out of the range by more than rounding.
+bool beyond(float value) {
+  float slack = 1e-5 * (uRange.y - uRange.x);
+  return value < uRange.x - slack || value > uRange.y + slack;
+}
+
 vec3 mapped(float t) {
   if (uSteps > 1) t = min(floor(t * float(uSteps)), float(uSteps - 1)) / float(uSteps - 1);
   return texture(uColorMap, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb;

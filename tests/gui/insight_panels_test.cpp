@@ -186,6 +186,8 @@ TEST(ProblemList, KeyUnfoldsItAndAClickShowsThePlace) {
   ui.key("P");
   ui.frames(3);
   EXPECT_TRUE(ui.state().panels.problems);
+  EXPECT_TRUE(ui.state().view.render.problems);
+  EXPECT_TRUE(ui.item("key/show-problem open-sharp-edges").whole());
   EXPECT_EQ(ui.state().panels.rightTab, PanelState::RightTab::Charts);
   const glm::dvec3 eye = ui.state().view.camera.eye();
   ui.click("show-problem open-sharp-edges");

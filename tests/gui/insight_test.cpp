@@ -19,11 +19,15 @@
 #include "app/host/chart_csv.h"
 #include "app/host/histogram.h"
 #include "app/host/lazy_value.h"
+#include "app/host/problem_marks.h"
 #include "app/host/problems.h"
 #include "app/host/sphere_grid.h"
 #include "app/host/sphere_patch.h"
+#include "app/host/thickness.h"
 #include "core/base/rng.h"
 #include "core/gauss/spherical_polygon.h"
+#include "core/model/build_mesh.h"
+#include "core/param/uv_overlaps.h"
 
 namespace chartflood {
 namespace {
@@ -287,19 +291,124 @@ TEST(Problems, ThinChartsByThePixelsOfTheTexture) {
   EXPECT_EQ(find(thin, ProblemKind::ThinCharts)->places[0].chart, 0u);
 }
 
-TEST(Problems, CutChartsAreDisksAndFlippedTrianglesAreSummed) {
+TEST(Problems, CutChartsAreDisks) {
   Results r = flatSquare({{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}});
   EXPECT_EQ(find(findProblems(r), ProblemKind::NotDisks), nullptr);
   EXPECT_EQ(find(findProblems(r), ProblemKind::Flipped), nullptr);
-  auto unwrap = std::make_shared<Unwrap>(*r.unwrap);
-  unwrap->charts[0].distortion.flipped = 2;
-  r.unwrap = unwrap;
-  ASSERT_NE(find(findProblems(r), ProblemKind::Flipped), nullptr);
-  EXPECT_EQ(problemText(*find(findProblems(r), ProblemKind::Flipped)), "2 flipped triangles");
+  EXPECT_EQ(find(findProblems(r), ProblemKind::Overlapping), nullptr);
   // Without an unwrap of its own the chart counts as segmented.
   r.flat = false;
   ASSERT_NE(find(findProblems(r), ProblemKind::NotDisks), nullptr);
-  EXPECT_EQ(find(findProblems(r), ProblemKind::Flipped), nullptr);
+}
+
+TEST(Problems, ATriangleThatIsTurnedOverIsNamedAndLiesOverItsNeighbour) {
+  // The last corner is pulled across the diagonal.
+  Results r = flatSquare({{0, 0}, {0.5, 0}, {0.5, 0.5}, {0.4, 0.1}});
+  auto unwrap = std::make_shared<Unwrap>(*r.unwrap);
+  unwrap->charts[0].distortion.flipped = 1;
+  r.unwrap = unwrap;
+  const std::vector<Problem> problems = findProblems(r);
+  const Problem* flipped = find(problems, ProblemKind::Flipped);
+  ASSERT_NE(flipped, nullptr);
+  EXPECT_EQ(problemText(*flipped), "1 flipped triangle");
+  EXPECT_EQ(flipped->triangles, std::vector<Index>{1});
+  const Problem* overlapping = find(problems, ProblemKind::Overlapping);
+  ASSERT_NE(overlapping, nullptr);
+  EXPECT_EQ(overlapping->triangles, (std::vector<Index>{0, 1}));
+  // The worse one is seen.
+  const SurfaceMarks marks = problemMarks(*r.mesh, *r.segmentation, problems);
+  EXPECT_EQ(marks.triangles[0], TriangleMark::Lattice);
+  EXPECT_EQ(marks.triangles[1], TriangleMark::Stripes);
+}
+
+TEST(Problems, EdgesOfThreeFacesAreFoundWhereTheMeshWasSplit) {
+  // Three squares of two triangles around one edge, 0 to 1.
+  InputMesh input;
+  input.positions = {{0, 0, 0},  {0, 0, 1},  {1, 0, 0},   {1, 0, 1},
+                     {-1, 1, 0}, {-1, 1, 1}, {-1, -1, 0}, {-1, -1, 1}};
+  for (const Index far : {2u, 4u, 6u}) {
+    input.corners.insert(input.corners.end(), {0, far, far + 1, 0, far + 1, 1});
+  }
+  Results r;
+  r.mesh = buildMesh(std::make_shared<const InputMesh>(std::move(input)));
+  auto labels = std::make_shared<Segmentation>();
+  labels->chartCount = 1;
+  labels->label.assign(r.mesh->faceCount(), 0);
+  r.segmentation = labels;
+  auto stats = std::make_shared<ChartStats>();
+  stats->charts.resize(1);
+  stats->charts[0].disk = true;
+  r.chartStats = stats;
+  const std::vector<Problem> problems = findProblems(r);
+  const Problem* found = find(problems, ProblemKind::NonManifoldEdges);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(problemText(*found), "1 edge of more than two faces");
+  const SurfaceMarks marks = problemMarks(*r.mesh, *r.segmentation, problems);
+  ASSERT_EQ(marks.lines.size(), 1u);
+  ASSERT_EQ(marks.lines[0].sides.size(), 1u);
+  const Index side = marks.lines[0].sides[0];
+  EXPECT_EQ(r.mesh->inputVertex(r.mesh->sideStart(side)) +
+                r.mesh->inputVertex(r.mesh->sideEnd(side)),
+            1u);
+}
+
+TEST(UvOverlaps, AgreeWithACountOfPointsInTriangles) {
+  Rng rng(11);
+  std::vector<PlaneTriangle> triangles;
+  const auto point = [&] { return glm::dvec2(uniform(rng), uniform(rng)); };
+  for (int i = 0; i < 60; ++i) {
+    const glm::dvec2 at = point();
+    triangles.push_back({at, at + 0.1 * point(), at + 0.1 * point()});
+  }
+  const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
+  const auto inside = [&](const PlaneTriangle& t, const glm::dvec2& p) {
+    int left = 0;
+    for (std::size_t i = 0; i < 3; ++i) left += cross(t[(i + 1) % 3] - t[i], p - t[i]) > 0 ? 1 : 0;
+    return left == 0 || left == 3;
+  };
+  std::vector<int> shared(triangles.size(), 0);
+  for (int x = 0; x < 900; ++x) {
+    for (int y = 0; y < 900; ++y) {
+      std::vector<std::size_t> over;
+      for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (inside(triangles[t], glm::dvec2(x, y) * (1.1 / 900))) over.push_back(t);
+      }
+      if (over.size() < 2) continue;
+      for (const std::size_t t : over) ++shared[t];
+    }
+  }
+  const std::vector<bool> found = findOverlaps(triangles, 1e-9);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (shared[t] > 0) {
+      EXPECT_TRUE(found[t]) << t;
+    }
+    // What no point has found is at most a sliver.
+    if (shared[t] == 0 && found[t]) {
+      EXPECT_FALSE(findOverlaps(triangles, 4e-3)[t]) << t;
+    }
+  }
+}
+
+TEST(UvOverlaps, NeighboursOnlyTouch) {
+  std::vector<PlaneTriangle> triangles;
+  for (int x = 0; x < 12; ++x) {
+    for (int y = 0; y < 12; ++y) {
+      const auto at = [&](int dx, int dy) {
+        return glm::dvec2(x + dx, y + dy) * 0.1 + 0.03 * glm::dvec2(std::sin(x + dx), (y + dy) % 3);
+      };
+      triangles.push_back({at(0, 0), at(1, 0), at(1, 1)});
+      triangles.push_back({at(0, 0), at(1, 1), at(0, 1)});
+    }
+  }
+  const auto count = [&] {
+    const std::vector<bool> found = findOverlaps(triangles, 1e-9);
+    return std::count(found.begin(), found.end(), true);
+  };
+  EXPECT_EQ(count(), 0);
+  triangles.push_back({glm::dvec2(0.41, 0.41), {0.42, 0.41}, {0.41, 0.42}});
+  EXPECT_GE(count(), 2);
+  triangles.back()[0].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(count(), 0);
 }
 
 TEST(Problems, NothingWithoutResults) { EXPECT_TRUE(findProblems(Results{}).empty()); }

@@ -84,40 +84,62 @@ TEST_P(Layout, ToastsStayInTheView) {
 
 /// Noted as a whole, with the border that their own content does not see.
 bool isFrame(std::string_view label) {
-  for (const char* frame :
-       {"toast ", "chart/", "column/", "action-palette", "Preferences", "Keys", "Log", "About"}) {
+  for (const char* frame : {"toast ", "chart/", "column/", "action-palette", "legend-editor",
+                            "Preferences", "Keys", "Log", "About"}) {
     if (label.starts_with(frame)) return true;
   }
   return false;
 }
 
-/// Every widget that can be seen lies in the width of its panel, and all in that of the window.
-void expectWholeInWidth(HeadlessFrame& ui, const std::string& where) {
+/// Every widget that can be seen lies in the width of its panel, and in the height of those that do
+/// not scroll; all lie in the window.
+void expectWhole(HeadlessFrame& ui, const std::string& where) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
   for (const auto& [label, item] : ui.frame().probe().items()) {
     if (!item.visible) continue;
     EXPECT_GE(item.min.x, -3) << label << " in " << where;
-    EXPECT_LE(item.max.x, ImGui::GetIO().DisplaySize.x + 3) << label << " in " << where;
+    EXPECT_LE(item.max.x, screen.x + 3) << label << " in " << where;
+    if (!item.scrolls) {
+      EXPECT_GE(item.min.y, -3) << label << " in " << where;
+      EXPECT_LE(item.max.y, screen.y + 3) << label << " in " << where;
+    }
     if (isFrame(label)) continue;
+    if (!item.scrolls) {
+      EXPECT_GE(item.min.y, item.clipMin.y - 1) << label << " in " << where;
+      EXPECT_LE(item.max.y, item.clipMax.y + 1) << label << " in " << where;
+    }
     EXPECT_GE(item.min.x, item.clipMin.x - 1) << label << " in " << where;
     EXPECT_LE(item.max.x, item.clipMax.x + 1) << label << " in " << where;
   }
 }
 
-TEST_P(Layout, EveryWidgetIsWholeInWidthInEveryTab) {
+TEST_P(Layout, EveryWidgetIsWholeInEveryTab) {
   if (GetParam().width < 1024) GTEST_SKIP() << "three columns need 1024 pixels";
   ui.openFlooded("sphere", 300);
   for (const char* tab : {"uv", "charts", "sphere", "plots"}) {
     ui.state().perform(ui.actions(), std::string("right-tab ") + tab);
     ui.frames(3);
-    expectWholeInWidth(ui, tab);
+    expectWhole(ui, tab);
   }
+}
+
+TEST_P(Layout, WhatFloatsOverTheViewIsWhole) {
+  if (GetParam().width < 1024) GTEST_SKIP() << "three columns need 1024 pixels";
+  ui.openFlooded("cube", 300);
+  for (const char* line : {"color-mode balance", "legend on", "problems on", "tool seeds"}) {
+    ui.state().perform(ui.actions(), line);
+  }
+  ui.frames(4);
+  ASSERT_TRUE(ui.has("legend-editor"));
+  ASSERT_TRUE(ui.has("key/show-problem open-sharp-edges"));
+  expectWhole(ui, "the view");
 }
 
 TEST_P(Layout, EveryWidgetIsWholeInEveryWindow) {
   for (const char* window : {"find-action", "preferences", "keys", "log", "about", "name-preset"}) {
     ui.state().perform(ui.actions(), window);
     ui.frames(4);
-    expectWholeInWidth(ui, window);
+    expectWhole(ui, window);
     const std::string close = std::string(window) == "name-preset" ? "close-naming" : window;
     ui.state().perform(ui.actions(), close);
     ui.frames(3);

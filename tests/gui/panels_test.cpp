@@ -147,6 +147,66 @@ TEST(Panels, PlotsTab) {
   EXPECT_TRUE(ui.has("plot/spread"));
 }
 
+TEST(Panels, SectionsOfWhatIsOutOfDateCarryADot) {
+  HeadlessFrame ui;
+  ui.openFlooded("sphere", 500);
+  const auto run = [&](const char* line) {
+    ui.state().perform(ui.actions(), line);
+    ui.frames(4);
+  };
+  const char* const kSections[] = {"Charts", "Balance", "Borders", "Cutting", "Unwrap"};
+  run("unwrap");
+  for (const char* section : kSections) {
+    EXPECT_FALSE(ui.has(std::string("stale/") + section)) << section;
+  }
+  run("set margin 12");  // the packing alone
+  EXPECT_FALSE(ui.has("stale/Charts"));
+  run("unwrap");
+  run("live off");
+  run("set charts 9");  // nothing is flooded by itself now
+  for (const char* section : kSections) {
+    EXPECT_TRUE(ui.has(std::string("stale/") + section)) << section;
+  }
+  run("run");  // to the end, the texture too
+  for (const char* section : kSections) {
+    EXPECT_FALSE(ui.has(std::string("stale/") + section)) << section;
+  }
+  run("set margin 20");
+  EXPECT_TRUE(ui.has("stale/Unwrap"));
+  EXPECT_FALSE(ui.has("stale/Charts"));
+  EXPECT_FALSE(ui.has("stale/Borders"));
+  run("unwrap");
+  EXPECT_FALSE(ui.has("stale/Unwrap"));
+}
+
+TEST(Panels, TheTrackballTurnsFreelyAndComesUprightAgain) {
+  HeadlessFrame ui;
+  ui.openFlooded("cube", 300);
+  const auto tilt = [&] {
+    const Camera& camera = ui.state().view.camera;
+    return std::abs(camera.right().y);  // 0 while the horizon is level
+  };
+  const auto turn = [&] {
+    const ImVec2 low = ui.item("view").min;
+    ui.frames(40);
+    ui.moveTo({low.x + 320, low.y + 90});
+    ui.press();
+    for (int i = 1; i < 8; ++i) {
+      ui.moveTo(
+          {low.x + 320 + 25 * static_cast<float>(i), low.y + 90 + 40 * static_cast<float>(i)});
+    }
+    ui.release();
+    ui.frames(1);
+  };
+  turn();
+  EXPECT_LT(tilt(), 1e-9);
+  ui.state().perform(ui.actions(), "trackball on");
+  turn();
+  EXPECT_GT(tilt(), 0.02);
+  ui.state().perform(ui.actions(), "trackball off");
+  EXPECT_LT(tilt(), 1e-9);
+}
+
 TEST(Panels, ToastsCanBeClosed) {
   HeadlessFrame ui;
   ui.state().notices.add(Notice::Kind::Error, "Could not read a.obj: it is empty.");

@@ -25,6 +25,7 @@ Pick PointerSource::pick(int x, int y) {
     nearest = distance;
     pick.triangle = t;
     pick.face = mesh.faceOf(t);
+    pick.chart = state_->chartOfFace(pick.face);
     pick.point = ray.origin + distance * ray.direction;
   }
   return pick;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -121,6 +122,32 @@ TEST_F(PresetFile, BrokenPresetsAreNamedAndLeftOut) {
   EXPECT_EQ(warning, "");
   EXPECT_EQ(applyUserPreset({}, likes.presets[1], warning), Parameters{});
   EXPECT_THAT(warning, HasSubstr("charts, wings"));
+}
+
+TEST_F(PresetFile, ABrokenPresetIsStillThereAfterTheNextSave) {
+  std::ofstream(folder / "config.json")
+      << R"({"presets": {"good": {"charts": 12}, "bad": 5, "odd": [1, "two"]}})";
+  const Preferences first = readBack();
+  ASSERT_THAT(first.presets, SizeIs(1));
+  writePreferences(first, folder, folder);
+  EXPECT_EQ(readBack(), first);
+  EXPECT_THAT(warning, HasSubstr("kept as it is"));
+  std::ifstream stream(folder / "config.json");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr(R"("bad": 5)"));
+  EXPECT_THAT(text.str(), HasSubstr("two"));
+}
+
+TEST(PresetWarning, IsStillSeenWhenTheFirstFrameComesLate) {
+  HeadlessFrame ui;
+  ui.state().notices.add(Notice::Kind::Warning, "The settings file holds an unusable preset.");
+  ui.state().update(9);  // the window took its time to open
+  ui.frames(2);
+  EXPECT_TRUE(ui.has("toast 0"));
+  ui.state().update(9);
+  ui.frames(2);
+  EXPECT_FALSE(ui.has("toast 0"));
 }
 
 }  // namespace

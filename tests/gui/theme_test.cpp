@@ -76,6 +76,18 @@ TEST_P(Themes, TheGroundBehindTheModelIsOfTheThemesKind) {
   }
 }
 
+TEST(HighContrast, ControlsAndPanelsHaveEdgesThatCanBeSeen) {
+  HeadlessFrame ui;
+  EXPECT_EQ(ImGui::GetStyle().FrameBorderSize, 0);
+  ui.state().perform(ui.actions(), "theme high-contrast");
+  ui.frames(2);
+  EXPECT_GE(ImGui::GetStyle().FrameBorderSize, 1);
+  const Palette& p = themePalette(ThemeKind::HighContrast);
+  for (const ImU32 ground : {p.ground, p.panel, p.bar, p.popup, p.control}) {
+    EXPECT_GE(contrast(p.line, ground), 3) << std::hex << ground;  // WCAG 2.1, 1.4.11
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Themes,
                          ::testing::Values(ThemeKind::Dark, ThemeKind::Light,
                                            ThemeKind::HighContrast));

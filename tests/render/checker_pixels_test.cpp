@@ -1,6 +1,7 @@
 // The checkerboard and the colours of an unwrap on the model.
 
 #include <limits>
+#include <memory>
 
 #include "tests/render/two_charts.h"
 
@@ -237,6 +238,31 @@ TEST_F(Cuts, GoWithAnEmptyList) {
   renderer_->setCuts(cut());
   renderer_->setCuts({});
   EXPECT_EQ(draw(settings), without);
+}
+
+/// The picture's colours lie where the texture has its places: u to the right, v upwards.
+TEST_F(Checker, AnOwnPictureFillsTheTextureOnceAndUpright) {
+  auto picture = std::make_shared<Image>(64, 64);
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      picture->at(x, y) = {static_cast<std::uint8_t>(4 * x), static_cast<std::uint8_t>(4 * y), 90,
+                           255};
+    }
+  }
+  RenderSettings settings = flat(ColorMode::Checkerboard);
+  settings.checkerKind = CheckerKind::Picture;
+  RenderSettings squares = settings;
+  squares.checkerKind = CheckerKind::Squares;
+  EXPECT_EQ(draw(settings), draw(squares));  // there is none yet
+  settings.checkerPicture = picture;
+  const Image image = draw(settings);
+  for (Index t = 0; t < mesh_->triangleCount(); t += 3) {
+    const glm::dvec2 uv(uvAt(chartOf(t), onPlate(middle(t))));
+    const glm::ivec2 p = pixelOf(middle(t));
+    EXPECT_NEAR(int{image.at(p.x, p.y)[0]}, 256 * uv.x, 9) << t;
+    EXPECT_NEAR(int{image.at(p.x, p.y)[1]}, 256 * (1 - uv.y), 9) << t;
+    EXPECT_NEAR(int{image.at(p.x, p.y)[2]}, 90, 1) << t;
+  }
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include "render/image.h"
+#include "render/read_picture.h"
 
 #include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
+#include <stb/stb_image_write.h>
 #include <unistd.h>
 
 #include "core/base/error.h"
@@ -83,6 +85,63 @@ TEST(ShrinkImage, AveragesColourByAlpha) {
   // The three empty pixels take away alpha, not colour: no dark rim.
   EXPECT_EQ(small.at(0, 0), (Rgba8{200, 100, 50, 64}));
   EXPECT_EQ(shrinkImage(image, 1), image);
+}
+
+class PictureFiles : public ::testing::Test {
+ protected:
+  PictureFiles() : folder(std::filesystem::temp_directory_path() / "chartflood_read_picture") {
+    std::filesystem::create_directories(folder);
+  }
+  ~PictureFiles() override { std::filesystem::remove_all(folder); }
+  std::filesystem::path file(const char* name, const std::vector<std::uint8_t>& bytes) {
+    std::ofstream stream(folder / name, std::ios::binary);
+    stream.write(reinterpret_cast<const char*>(bytes.data()),
+                 static_cast<std::streamsize>(bytes.size()));
+    return folder / name;
+  }
+  std::filesystem::path folder;
+};
+
+std::vector<std::uint8_t> encodeJpeg(const Image& image) {
+  std::vector<std::uint8_t> bytes;
+  const auto append = [](void* out, void* data, int size) {
+    const auto* first = static_cast<const std::uint8_t*>(data);
+    auto& list = *static_cast<std::vector<std::uint8_t>*>(out);
+    list.insert(list.end(), first, first + size);
+  };
+  stbi_write_jpg_to_func(append, &bytes, image.width(), image.height(), 4, image.pixels().data(),
+                         95);
+  return bytes;
+}
+
+TEST_F(PictureFiles, JpegAndPngAreReadAlike) {
+  Image image(48, 32, {30, 120, 210, 255});
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 48; ++x) image.at(x, y) = {200, 160, 40, 255};
+  }
+  EXPECT_EQ(readPicture(file("a.png", encodePng(image))), image);
+  const Image jpeg = readPicture(file("a.jpg", encodeJpeg(image)));
+  EXPECT_LT(compareImages(jpeg, image).mean, 6);
+}
+
+TEST_F(PictureFiles, WhatIsNoPictureIsNamed) {
+  const std::vector<std::uint8_t> whole = encodeJpeg(Image(40, 40, {9, 9, 9, 255}));
+  const std::vector<std::uint8_t> head(whole.begin(), whole.begin() + 20);
+  EXPECT_THROW(readPicture(file("cut.jpg", head)), ReadError);
+  EXPECT_THROW(readPicture(file("empty.png", {})), ReadError);
+  EXPECT_THROW(readPicture(file("text.png", std::vector<std::uint8_t>(40, 'x'))), ReadError);
+  EXPECT_THROW(readPicture(folder / "none.png"), ReadError);
+  // A small file that claims a huge picture.
+  std::vector<std::uint8_t> bomb = encodePng(Image(4, 4, {1, 2, 3, 255}));
+  bomb[16] = bomb[20] = 0x7F;
+  EXPECT_THROW(readPicture(file("bomb.png", bomb)), ReadError);
+}
+
+TEST_F(PictureFiles, LargeOnesAreHalvedUntilTheyFit) {
+  const Image read = readPicture(file("wide.png", encodePng(Image(9001, 3, {50, 60, 70, 255}))));
+  EXPECT_EQ(read.width(), 2250);
+  EXPECT_EQ(read.height(), 1);
+  EXPECT_EQ(read.at(1000, 0), (Rgba8{50, 60, 70, 255}));
 }
 
 }  // namespace

@@ -138,6 +138,31 @@ TEST_F(SurfacePixels, BalanceIsWhiteAtTheMeanBlueBelowOrangeAbove) {
   }
 }
 
+TEST_F(SurfacePixels, ValuesOutOfTheRangeAreGreyWhereColoursAreNotClamped) {
+  show(test::cube(4));
+  Segmentation sides = cubeSides();
+  sides.areas.gaussArea = {1, 1, 1, 1, 1, 4};
+  renderer_->setSegmentation(&sides);
+  RenderSettings settings = flat(ColorMode::Balance);
+  settings.range = {-50, 50};
+  const auto greyCharts = [&] {
+    const Image image = draw(settings);
+    std::set<Index> grey;
+    for (const auto& [triangle, pixel] : seenTriangles()) {
+      if (image.at(pixel.x, pixel.y) == (Rgba8{106, 106, 106, 255})) {
+        grey.insert(sides.label[triangle]);
+      }
+    }
+    return grey;
+  };
+  EXPECT_TRUE(greyCharts().empty());
+  settings.clampColors = false;
+  EXPECT_EQ(greyCharts(), std::set<Index>{5});
+  settings.range.reset();
+  settings.range = {-33.5, 170};
+  EXPECT_TRUE(greyCharts().empty());
+}
+
 TEST_F(SurfacePixels, HiddenChartsAreNotDrawnAndSelectedOnesStandOut) {
   show(test::cube(4));
   const Segmentation sides = cubeSides();

@@ -1,4 +1,5 @@
-// What a row of the chart table does beside being clicked.
+// What can be done with one chart: the menu of the right mouse button on its row, on the model and
+// in the texture.
 
 #include <string>
 
@@ -6,6 +7,23 @@
 #include "app/gui/widgets.h"
 
 namespace chartflood {
+
+void chartEntries(const Ui& ui, Index chart) {
+  const std::string number = std::to_string(chart);
+  ui.pointAt(chart);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
+  ImGui::Text("Chart %u", chart);
+  ImGui::PopStyleColor();
+  actionMenuItem(ui, "isolate-chart " + number, "Show it alone");
+  actionMenuItem(ui, "hide-chart " + number, "Hide it");
+  actionMenuItem(ui, "show-all-charts");
+  ImGui::Separator();
+  actionMenuItem(ui, "frame-selection " + number, "Come close to it");
+  actionMenuItem(ui, "chart-in-texture " + number);
+  ImGui::Separator();
+  actionMenuItem(ui, "copy-figures " + number, "Copy its figures");
+  actionMenuItem(ui, "copy-charts", "Copy all as CSV");
+}
 
 void linkChartRow(const Ui& ui, Index chart) {
   const std::string number = std::to_string(chart);
@@ -15,11 +33,7 @@ void linkChartRow(const Ui& ui, Index chart) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(6)));
   if (ImGui::BeginPopupContextItem(("row/" + number).c_str())) {
-    ui.pointAt(chart);
-    actionMenuItem(ui, "copy-figures " + number, "Copy figures of chart " + number);
-    actionMenuItem(ui, "copy-charts", "Copy all as CSV");
-    ImGui::Separator();
-    actionMenuItem(ui, "frame-selection " + number, "Show it");
+    chartEntries(ui, chart);
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();

@@ -91,6 +91,7 @@ void seedsMenu(const Ui& ui) {
   ImGui::Separator();
   actionMenuItem(ui, "add-seed-in-view");
   actionMenuItem(ui, "delete-seed", "Delete the one under the mouse");
+  actionMenuItem(ui, "choose-seed next", "Choose the next one");
   actionMenuItem(ui, "spread-seeds");
   ImGui::Separator();
   actionMenuItem(ui, "lock-seed", "Lock the one under the mouse");
@@ -106,6 +107,8 @@ void checkerMenu(const Ui& ui) {
   actionMenuItem(ui, "checker-kind squares", "Squares");
   actionMenuItem(ui, "checker-kind numbers", "Numbered squares");
   actionMenuItem(ui, "checker-kind circles", "Circles");
+  actionMenuItem(ui, "checker-kind picture", "Picture (drop one onto the window)");
+  actionMenuItem(ui, "use-checkerboard");
   ImGui::Separator();
   for (const char* squares : {"10", "20", "40", "80"}) {
     actionMenuItem(ui, std::string("checker-size ") + squares, std::string(squares) + " squares");
@@ -124,9 +127,11 @@ void viewMenu(const Ui& ui) {
        {"seams", "cuts", "edges", "sharp-edges", "seeds", "numbers", "color-bar"}) {
     actionMenuItem(ui, overlay);
   }
+  actionMenuItem(ui, "legend");
   checkerMenu(ui);
   ImGui::Separator();
-  for (const char* line : {"previous-chart", "next-chart", "isolate", "problems"})
+  for (const char* line : {"previous-chart", "next-chart", "isolate", "hide-chart",
+                           "show-all-charts", "chart-in-texture", "problems"})
     actionMenuItem(ui, line);
   ImGui::Separator();
   actionMenuItem(ui, "frame-selection");
@@ -150,6 +155,8 @@ void viewMenu(const Ui& ui) {
     actionMenuItem(ui, "navigation simple", "Simple: left turns, middle moves, wheel zooms");
     actionMenuItem(ui, "navigation blender", "Blender: middle turns, Shift+middle moves");
     actionMenuItem(ui, "navigation maya", "Maya: Alt+left turns, Alt+middle moves");
+    ImGui::Separator();
+    actionMenuItem(ui, "trackball");
     ImGui::EndMenu();
   }
   ImGui::Separator();

@@ -24,6 +24,8 @@ void problemList(const Ui& ui);
 /// Links the row of the chart table that was just submitted: hover and the menu of the right mouse
 /// button. Call between its widget and the next cell.
 void linkChartRow(const Ui& ui, Index chart);
+/// What can be done with one chart, as entries of a menu.
+void chartEntries(const Ui& ui, Index chart);
 /// Normals of the chart pointed at or selected, on the unit sphere, with its figures.
 void spherePanel(const Ui& ui);
 /// Gauss area and stretch of each chart, values of the colour mode, spread over the rounds.
@@ -44,6 +46,8 @@ void keysWindow(const Ui& ui);
 void pictureDialog(const Ui& ui);
 /// Name, version, paper, fonts.
 void aboutWindow(const Ui& ui);
+/// Opens the editor of the colours from the bar in the picture, at the bottom right of the area.
+void legendPanel(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
 /// Sentences in the top right corner of the area.
 void toasts(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax);
 /// The first steps, at the bottom of the area, until a key or click.

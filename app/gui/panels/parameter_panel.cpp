@@ -1,9 +1,11 @@
 // Presets, the live switch and the rows of the parameter table by section.
 
+#include <string>
 #include <string_view>
 
 #include "app/gui/panels/panels.h"
 #include "app/gui/widgets.h"
+#include "app/host/staleness.h"
 
 namespace chartflood {
 
@@ -36,6 +38,14 @@ void liveRow(const Ui& ui) {
   ImGui::PopFont();
 }
 
+/// What a section's dot means, "" for none.
+std::string staleWords(const Ui& ui, std::string_view group) {
+  const std::string_view line = bringsUpToDate(ui.state, group);
+  if (line.empty()) return "";
+  return "Out of date: press " + ui.actions.shortcut(line) + " (" + ui.actions.find(line)->title +
+         ").";
+}
+
 }  // namespace
 
 void parameterPanel(const Ui& ui) {
@@ -48,7 +58,7 @@ void parameterPanel(const Ui& ui) {
     if (group != info.group) {
       group = info.group;
       open = section(ui, info.group, group == "Charts" || group == "Balance",
-                     shown != nullptr && group == shown->group);
+                     shown != nullptr && group == shown->group, staleWords(ui, group));
     }
     if (open) parameterRow(ui, info);
   }

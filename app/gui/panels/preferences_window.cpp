@@ -63,7 +63,7 @@ void mouseRows(const Ui& ui) {
   }
   static const Choice kAxes[] = {{"Y", "up-axis y"}, {"Z", "up-axis z"}};
   choiceRow(ui, "Upright axis of this model", kAxes);
-  for (const char* line : {"invert-zoom", "invert-turn-x", "invert-turn-y"}) {
+  for (const char* line : {"trackball", "invert-zoom", "invert-turn-x", "invert-turn-y"}) {
     switchRow(ui, ui.actions.find(line)->title.c_str(), ui.actions.checked(line, ui.state), line);
   }
 }

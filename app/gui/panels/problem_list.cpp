@@ -7,6 +7,7 @@
 #include <imgui_internal.h>
 
 #include "app/gui/panels/panels.h"
+#include "app/gui/panels/problem_key.h"
 #include "app/gui/widgets.h"
 
 namespace chartflood {
@@ -15,7 +16,8 @@ namespace {
 
 /// Worse than untidy: paint will come out wrong.
 bool serious(ProblemKind kind) {
-  return kind != ProblemKind::DegenerateFaces && kind != ProblemKind::OpenSharpEdges;
+  return kind != ProblemKind::DegenerateFaces && kind != ProblemKind::OpenSharpEdges &&
+         kind != ProblemKind::NonManifoldEdges;
 }
 
 /// The line that folds and unfolds the list.
@@ -24,9 +26,10 @@ void foldLine(const Ui& ui, const std::string& words, ImU32 color, float width) 
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const bool clicked = ImGui::InvisibleButton("##problems", {width, height});
   ui.probe.item("problems");
-  tooltip(ui, "problems", "Worth a look   " + ui.actions.shortcut("problems"),
+  tooltip(ui, "problems", "Worth a look",
           "What deserves attention before the charts are painted on. A click on a line shows the "
-          "next place.");
+          "next place; " +
+              ui.actions.shortcut("problems") + " marks all of them on the model.");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) {
     list.AddRectFilled(low, {low.x + width, low.y + height}, ui.theme.palette.control, ui.px(4));
@@ -40,31 +43,7 @@ void foldLine(const Ui& ui, const std::string& words, ImU32 color, float width) 
   ImGui::RenderTextEllipsis(&list, at, {low.x + width, at.y + size.y}, low.x + width, low.x + width,
                             words.c_str(), nullptr, &size);
   ImGui::PopStyleColor();
-  if (clicked) ui.run(ui.state.panels.problems ? "problems off" : "problems on");
-}
-
-void problemRow(const Ui& ui, const Problem& problem) {
-  const std::string line = std::string("show-problem ") + problemId(problem.kind);
-  const float indent = ui.px(22);
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetFrameHeight(), width = ImGui::GetContentRegionAvail().x;
-  const bool clicked = ImGui::InvisibleButton(line.c_str(), {width, height});
-  ui.probe.item(line);
-  tooltip(ui, line, "", problemHelp(problem.kind));
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Palette& p = ui.theme.palette;
-  if (ImGui::IsItemHovered()) {
-    list.AddRectFilled(low, {low.x + width, low.y + height}, p.control, ui.px(4));
-  }
-  const ImU32 color = serious(problem.kind) ? p.warning : p.dim;
-  const float middle = low.y + height / 2;
-  list.AddCircleFilled({low.x + ui.px(11), middle}, ui.px(3.5f), color);
-  const std::string words = problemText(problem);
-  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-  ImGui::RenderTextEllipsis(&list, {low.x + indent, middle - size.y / 2},
-                            {low.x + width, middle + size.y}, low.x + width, low.x + width,
-                            words.c_str(), nullptr, &size);
-  if (clicked) ui.run(line);
+  if (clicked) ui.run(ui.state.panels.problems ? "problem-list off" : "problem-list on");
 }
 
 }  // namespace
@@ -84,7 +63,8 @@ void problemList(const Ui& ui) {
   textButton(ui, "Copy as CSV", "copy-charts");
   if (!any || !ui.state.panels.problems) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  for (const Problem& problem : *problems) problemRow(ui, problem);
+  const float whole = ImGui::GetContentRegionAvail().x;
+  for (const Problem& problem : *problems) problemRow(ui, problem, whole, "");
   ImGui::PopStyleVar();
   ImGui::Dummy({0, ui.px(2)});
 }

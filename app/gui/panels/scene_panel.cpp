@@ -8,6 +8,7 @@
 
 #include "app/gui/camera_control.h"
 #include "app/gui/panels/hints_tool.h"
+#include "app/gui/panels/panels.h"
 #include "app/gui/panels/seeds_tool.h"
 #include "app/gui/widgets.h"
 
@@ -45,6 +46,27 @@ void click(const Ui& ui, SceneSource* source, const ViewRectangle& view, const S
   std::string line = "select-chart";
   if (!mouse.pane.live()) line = "select-stored " + paneName(ui.state.compare, mouse.pane);
   ui.run(pick.chart == kNone ? line : line + ' ' + std::to_string(pick.chart));
+}
+
+/// The right button opens the menu of the chart under the mouse.
+void openMenu(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMouse& mouse) {
+  mouse.menuChart = pickAt(source, view, ImGui::GetIO().MousePos).chart;
+  if (mouse.menuChart != kNone || !ui.state.view.hiddenCharts.empty()) {
+    ImGui::OpenPopup("chart menu");
+  }
+}
+
+void chartMenu(const Ui& ui, const SceneMouse& mouse) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(6)));
+  if (ImGui::BeginPopup("chart menu")) {
+    if (mouse.menuChart == kNone) {
+      actionMenuItem(ui, "show-all-charts");
+    } else {
+      chartEntries(ui, mouse.menuChart);
+    }
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
 }
 
 void hover(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMouse& mouse) {
@@ -100,8 +122,9 @@ void useMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
       releaseBrush(ui);
     } else if (usesSeeds(ui, mouse) || mouse.seedDragged) {
       releaseSeed(ui, source, view, mouse);
-    } else if (mouse.button == 0 && mouse.travelled < SceneMouse::kClickTravel) {
-      click(ui, source, view, mouse);
+    } else if (mouse.travelled < SceneMouse::kClickTravel) {
+      if (mouse.button == 0) click(ui, source, view, mouse);
+      if (mouse.button == 1 && mouse.pane.live()) openMenu(ui, source, view, mouse);
     }
     mouse.button = -1;
   }
@@ -165,6 +188,7 @@ std::vector<const char*> hintLines(const Ui& ui) {
   if (ui.state.panels.tool == PanelState::Tool::Seeds) {
     return {
         "Right click: menu    Drag beside: turn    V: select charts",
+        "Keys: Tab chooses a seed, arrows move it, Delete removes, Ctrl+L locks, Insert adds",
         "Click: add a seed    Drag a seed: move it    Ctrl+click: remove    Double click: lock"};
   }
   if (ui.state.panels.tool == PanelState::Tool::Hints) {
@@ -178,7 +202,8 @@ std::vector<const char*> hintLines(const Ui& ui) {
   case NavigationStyle::Simple:
     break;
   }
-  return {"Drag: turn    Middle: move    Wheel: closer    Click: select a chart    H: keys"};
+  return {"Drag: turn    Middle: move    Wheel: closer    Click: select    Right click: menu    H: "
+          "keys"};
 }
 
 void drawHint(const Ui& ui, const ViewRectangle& view) {
@@ -266,7 +291,9 @@ void sceneMouse(const Ui& ui, SceneSource* source, const ViewRectangle& view, Sc
                              ImGuiButtonFlags_MouseButtonMiddle);
   ui.probe.item(label);
   useMouse(ui, source, view, mouse);
-  if (mouse.pane.live()) seedMenu(ui, source, view, mouse);
+  if (!mouse.pane.live()) return;
+  seedMenu(ui, source, view, mouse);
+  chartMenu(ui, mouse);
 }
 
 void scenePicture(const Ui& ui, SceneSource* source, const ViewRectangle& view,

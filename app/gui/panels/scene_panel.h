@@ -28,6 +28,7 @@ struct SceneMouse {
   bool seedDragged = false;  ///< it was moved since then, or put back
   bool clickAdded = false;   ///< the last click added a seed
   Index menuSeed = kNone;    ///< whose menu is open
+  Index menuChart = kNone;   ///< the same of a chart
 };
 
 /// So long after the last movement the pictures are drawn smoothly.

@@ -169,6 +169,8 @@ void seedMenu(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
     actionMenuItem(ui, seedLine("lock-seed", mouse.menuSeed),
                    seeds[mouse.menuSeed].locked ? "Unlock" : "Lock");
     actionMenuItem(ui, seedLine("delete-seed", mouse.menuSeed), "Delete");
+    ImGui::Separator();
+    actionMenuItem(ui, "chart-in-texture " + std::to_string(mouse.menuSeed));
   }
   ImGui::EndPopup();
 }

@@ -29,7 +29,8 @@ void keyRow(const Ui& ui, const Binding& binding) {
   if (const auto first = command.arguments.find("0"); first != command.arguments.end()) {
     title += ": " + first->second;
   }
-  ImGui::TextUnformatted(title.c_str());
+  if (binding.seedsTool) title += " (seeds tool)";
+  ImGui::TextWrapped("%s", title.c_str());
   ImGui::TableNextColumn();
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
   ImGui::TextWrapped("%s", action->help.c_str());

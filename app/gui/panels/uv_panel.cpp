@@ -8,6 +8,7 @@
 
 #include <imgui_internal.h>
 
+#include "app/gui/panels/panels.h"
 #include "app/gui/panels/scene_panel.h"
 #include "app/gui/widgets.h"
 
@@ -48,6 +49,15 @@ void click(const Ui& ui, UvSource& source, const UvRectangle& view) {
   ui.run(pick.chart == kNone ? "select-chart" : "select-chart " + std::to_string(pick.chart));
 }
 
+void chartMenu(const Ui& ui, const UvMouse& mouse) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(6)));
+  if (ImGui::BeginPopup("texture menu")) {
+    chartEntries(ui, mouse.menuChart);
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+}
+
 void useMouse(const Ui& ui, UvSource& source, const UvRectangle& view, UvMouse& mouse) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemActivated()) {
@@ -59,6 +69,10 @@ void useMouse(const Ui& ui, UvSource& source, const UvRectangle& view, UvMouse& 
   const bool doubleClicked = ImGui::IsItemHovered() && io.MouseDoubleClicked[0];
   if (ImGui::IsItemDeactivated()) {
     if (mouse.button == 0 && mouse.travelled < kClickTravel) click(ui, source, view);
+    if (mouse.button == 1 && mouse.travelled < kClickTravel) {
+      mouse.menuChart = pickAt(ui, source, view, io.MousePos).chart;
+      if (mouse.menuChart != kNone) ImGui::OpenPopup("texture menu");
+    }
     mouse.button = -1;
   }
   if (doubleClicked) ui.run("frame-uv");
@@ -192,6 +206,7 @@ void uvPanel(const Ui& ui, UvSource* source, UvMouse& mouse, bool elsewhere) {
                              ImGuiButtonFlags_MouseButtonMiddle);
   ui.probe.item("uv");
   useMouse(ui, *source, view, mouse);
+  chartMenu(ui, mouse);
   const double still = ImGui::GetTime() - mouse.movedAt;
   if (still < kSettleSeconds) ui.wakeIn(kSettleSeconds - still);
   const bool busy = elsewhere || ui.state.playback.playing() || ui.state.status().busy;

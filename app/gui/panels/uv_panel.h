@@ -12,7 +12,8 @@ struct UvMouse {
   float travelled = 0;   ///< pixels since then
   double movedAt = -10;  ///< time of the last movement of the texture, ImGui::GetTime()
   ImVec2 pickedAt{-1, -1};
-  Index face = kNone;  ///< under the mouse, as told to the state
+  Index face = kNone;       ///< under the mouse, as told to the state
+  Index menuChart = kNone;  ///< whose menu is open
 };
 
 /// Fills the rest of the present window. `elsewhere`: the 3D view is being moved.

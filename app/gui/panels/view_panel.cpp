@@ -64,7 +64,8 @@ void checkerKindRow(const Ui& ui) {
   };
   static constexpr Kind kKinds[] = {{CheckerKind::Squares, "Squares"},
                                     {CheckerKind::Numbers, "Numbered"},
-                                    {CheckerKind::Circles, "Circles"}};
+                                    {CheckerKind::Circles, "Circles"},
+                                    {CheckerKind::Picture, "Picture"}};
   const CheckerKind present = ui.state.view.render.checkerKind;
   rowLabel("Checkerboard");
   ImGui::SetNextItemWidth(-1);
@@ -73,6 +74,7 @@ void checkerKindRow(const Ui& ui) {
   ui.probe.item("checker-kind");
   if (!open) return tooltip(ui, "checker-kind", "", ui.actions.find("checker-kind")->help);
   for (const Kind& each : kKinds) {
+    if (each.kind == CheckerKind::Picture && !ui.state.view.render.checkerPicture) continue;
     const std::string line = std::string("checker-kind ") + checkerKindId(each.kind);
     if (ImGui::Selectable(each.words, each.kind == present)) ui.run(line);
     ui.probe.item(line);
@@ -80,7 +82,33 @@ void checkerKindRow(const Ui& ui) {
   ImGui::EndCombo();
 }
 
+void pictureRepeatsRow(const Ui& ui) {
+  constexpr double kMost = 16;  // of the slider; more can be typed
+  const double repeats = double{ui.state.view.render.checkerRepeats};
+  BarSlider slider;
+  slider.label = "checker-repeats";
+  slider.fraction = std::clamp((repeats - 1) / (kMost - 1), 0.0, 1.0);
+  slider.text = std::to_string(std::lround(repeats));
+  slider.changed = repeats != 1;
+  const auto set = [&](double fraction) {
+    const double wanted = 1 + (kMost - 1) * std::clamp(fraction, 0.0, 1.0);
+    ui.run("checker-repeats " + std::to_string(std::lround(wanted)));
+  };
+  slider.moved = [&](double fraction, bool) { set(fraction); };
+  slider.typed = [&](const std::string& text) {
+    ui.run("checker-repeats " + quotedArgument(text));
+  };
+  slider.nudged = [&](int direction) { set(slider.fraction + direction / (kMost - 1)); };
+  rowLabel("Pictures on the texture");
+  barSlider(ui, slider, ImGui::GetContentRegionAvail().x);
+  tooltip(ui, "checker-repeats", "Pictures", ui.actions.find("checker-repeats")->help);
+}
+
 void checkerSizeRow(const Ui& ui) {
+  const RenderSettings& present = ui.state.view.render;
+  if (present.checkerKind == CheckerKind::Picture && present.checkerPicture) {
+    return pictureRepeatsRow(ui);
+  }
   constexpr double kFewest = 4, kMost = 256;  // of the slider; more can be typed
   const RenderSettings& settings = ui.state.view.render;
   const double squares = double{settings.checkerSquares};
@@ -106,7 +134,7 @@ void checkerSizeRow(const Ui& ui) {
 void viewPanel(const Ui& ui) {
   static constexpr const char* kOverlays[] = {"seams",        "cuts",        "seeds",     "numbers",
                                               "edges",        "sharp-edges", "color-bar", "smooth",
-                                              "orthographic", "isolate"};
+                                              "orthographic", "isolate",     "problems"};
   static constexpr const char* kTexture[] = {"checker-in-texture", "checker-tint", "uv-fill",
                                              "uv-frame"};
   if (section(ui, "View")) {

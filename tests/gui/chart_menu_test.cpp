@@ -1,0 +1,142 @@
+// The menu of the right mouse button on the model, hiding charts, and a picture on the charts.
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/host/session_view.h"
+#include "render/image.h"
+#include "tests/gui/headless_frame.h"
+#include "tests/gui/pointer_source.h"
+
+namespace chartflood {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class ChartMenu : public ::testing::Test {
+ protected:
+  ChartMenu() {
+    ui.setSource(&source);
+    ui.openFlooded("sphere", 800);
+  }
+  AppState& state() { return ui.state(); }
+  bool run(const std::string& line) { return state().perform(ui.actions(), line); }
+  /// Presses and lets go of the right button in the middle of the view.
+  Index rightClick() {
+    const ImVec2 place = ui.item("view").center();
+    ui.frames(40);
+    ui.moveTo(place);
+    ui.press(1);
+    ui.release(1);
+    ui.frames(3);
+    const ImVec2 low = ui.item("view").min;
+    return source.pick(static_cast<int>(place.x - low.x), static_cast<int>(place.y - low.y)).chart;
+  }
+
+  PointerSource source;
+  HeadlessFrame ui;
+};
+
+TEST_F(ChartMenu, NamesTheChartUnderTheMouse) {
+  const double distance = state().view.camera.distance;
+  const Index chart = rightClick();
+  const std::string number = std::to_string(chart);
+  for (const char* line : {"isolate-chart ", "hide-chart ", "frame-selection ", "copy-figures "}) {
+    EXPECT_TRUE(ui.has("menu/" + (line + number))) << line;
+  }
+  EXPECT_EQ(state().view.camera.distance, distance);  // a click is no drag
+  ui.click("menu/isolate-chart " + number);
+  EXPECT_EQ(state().selectedChart, chart);
+  EXPECT_TRUE(state().view.isolate);
+  ui.key("Alt+H");
+  EXPECT_FALSE(state().view.isolate);
+}
+
+TEST_F(ChartMenu, HiddenChartsAreLeftOutUntilAllAreShown) {
+  const Index chart = rightClick();
+  ui.click("menu/hide-chart " + std::to_string(chart));
+  EXPECT_THAT(state().view.hiddenCharts, ElementsAre(chart));
+  EXPECT_THAT(sceneSettings(state(), 1).hiddenCharts, ElementsAre(chart));
+  run("hide-chart 0");
+  run("hide-chart 0");
+  EXPECT_EQ(state().view.hiddenCharts.size(), chart == 0 ? 1u : 2u);
+  EXPECT_TRUE(std::is_sorted(state().view.hiddenCharts.begin(), state().view.hiddenCharts.end()));
+  run("show-all-charts");
+  EXPECT_THAT(sceneSettings(state(), 1).hiddenCharts, IsEmpty());
+  EXPECT_FALSE(run("show-all-charts"));
+  EXPECT_FALSE(run("hide-chart 4000"));
+  run("hide-chart 1");
+  state().openSample("torus", 400);
+  ui.frames(4);
+  EXPECT_THAT(state().view.hiddenCharts, IsEmpty());
+}
+
+TEST_F(ChartMenu, GoesToTheTexture) {
+  EXPECT_FALSE(run("chart-in-texture 1"));  // not laid flat yet
+  run("unwrap");
+  ui.frames(3);
+  ASSERT_TRUE(run("chart-in-texture 1"));
+  const UvCamera& camera = state().view.uvCamera;
+  for (const glm::dvec2& uv : state().results().atlas->uv[1]) {
+    EXPECT_LT(std::abs(uv.x - camera.center.x), camera.span / 2);
+    EXPECT_LT(std::abs(uv.y - camera.center.y), camera.span / 2);
+  }
+  EXPECT_EQ(state().selectedChart, 1u);
+  EXPECT_EQ(state().panels.rightTab, PanelState::RightTab::Uv);
+}
+
+class OwnPicture : public ChartMenu {
+ protected:
+  OwnPicture() : folder(std::filesystem::temp_directory_path() / "chartflood_own_picture") {
+    std::filesystem::create_directories(folder);
+    writePng(Image(8, 4, {10, 200, 30, 255}), folder / "green.png");
+    std::ofstream(folder / "broken.png") << "no picture at all";
+  }
+  ~OwnPicture() override { std::filesystem::remove_all(folder); }
+  std::filesystem::path folder;
+};
+
+TEST_F(OwnPicture, ADroppedOneLiesOnTheChartsUntilItIsTakenOff) {
+  EXPECT_FALSE(run("use-checkerboard"));
+  ASSERT_TRUE(run("open " + (folder / "green.png").string()));
+  const RenderSettings& render = state().view.render;
+  EXPECT_EQ(render.colorMode, ColorMode::Checkerboard);
+  EXPECT_EQ(render.checkerKind, CheckerKind::Picture);
+  ASSERT_TRUE(render.checkerPicture);
+  EXPECT_EQ(render.checkerPicture->width(), 8);
+  EXPECT_TRUE(state().hasMesh());  // the model stayed
+  const SessionView values = viewValues(state().view);
+  ViewSettings read;
+  EXPECT_THAT(applyViewValues(values, read), IsEmpty());
+  ASSERT_TRUE(read.render.checkerPicture);
+  EXPECT_EQ(*read.render.checkerPicture, *render.checkerPicture);
+  EXPECT_EQ(read.render.checkerKind, CheckerKind::Picture);
+  run("checker-repeats 3");
+  EXPECT_EQ(render.checkerRepeats, 3);
+  ASSERT_TRUE(run("use-checkerboard"));
+  EXPECT_EQ(render.checkerKind, CheckerKind::Squares);
+  EXPECT_FALSE(run("checker-kind picture"));
+}
+
+TEST_F(OwnPicture, ABrokenOneIsToldAndChangesNothing) {
+  const RenderSettings before = state().view.render;
+  EXPECT_FALSE(run("open " + (folder / "broken.png").string()));
+  EXPECT_THAT(state().notices.toasts().back().text, HasSubstr("broken.png"));
+  EXPECT_FALSE(run("checker-picture " + (folder / "none.jpg").string()));
+  EXPECT_EQ(state().view.render, before);
+  // A session whose picture is gone says so and shows squares.
+  run("open " + (folder / "green.png").string());
+  SessionView values = viewValues(state().view);
+  values["checker-picture"] = (folder / "gone.png").string();
+  ViewSettings read;
+  EXPECT_EQ(applyViewValues(values, read).size(), 1u);
+  EXPECT_FALSE(read.render.checkerPicture);
+}
+
+}  // namespace
+}  // namespace chartflood

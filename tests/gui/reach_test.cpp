@@ -1,0 +1,141 @@
+// Everything can be reached: each action by a key, a menu or the search, and with it by the
+// keyboard alone; each parameter has its tooltip and its option.
+
+#include <algorithm>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include "app/host/action_search.h"
+#include "tests/gui/headless_frame.h"
+
+namespace chartflood {
+namespace {
+
+/// An argument that the table takes.
+std::string sample(const ArgumentInfo& argument) {
+  switch (argument.type) {
+  case ArgumentType::Choice:
+    return argument.choices.front();
+  case ArgumentType::Switch:
+    return "on";
+  case ArgumentType::Integer:
+  case ArgumentType::Number:
+    return "1";
+  case ArgumentType::Text:
+    break;
+  }
+  return "x";
+}
+
+/// The line with all that the action must be told.
+std::string lineOf(const Action& action) {
+  std::string line = action.id;
+  for (const ArgumentInfo& argument : action.arguments) {
+    if (argument.required) line += ' ' + sample(argument);
+  }
+  return line;
+}
+
+bool hasKey(const ActionRegistry& actions, const Action& action) {
+  return std::any_of(
+      actions.bindings().begin(), actions.bindings().end(),
+      [&](const Binding& binding) { return parseCommand(binding.line).action == action.id; });
+}
+
+/// Entries of all menus of the bar, opened one after another, as script lines.
+std::set<std::string> menuLines(HeadlessFrame& ui) {
+  std::set<std::string> lines;
+  for (const char* menu : {"File", "Edit", "View", "Seeds", "Run", "Compare", "Help"}) {
+    ui.click(std::string("menu/") + menu);
+    ui.frames(2);
+    for (const auto& [label, item] : ui.frame().probe().items()) {
+      if (label.starts_with("menu/")) lines.insert(label.substr(5));
+    }
+    ui.escape();
+  }
+  return lines;
+}
+
+TEST(Reach, EveryActionByKeyMenuOrSearch) {
+  HeadlessFrame ui;
+  ui.openFlooded("sphere", 300);
+  const std::set<std::string> menus = menuLines(ui);
+  EXPECT_GT(menus.size(), 60u);
+  for (const Action& action : ui.actions().actions()) {
+    const bool inMenu = std::any_of(menus.begin(), menus.end(), [&](const std::string& line) {
+      return line.substr(0, line.find(' ')) == action.id;
+    });
+    const std::string line = lineOf(action);
+    const std::vector<FoundAction> found = searchActions(ui.actions(), ui.state(), line);
+    const bool inSearch = std::any_of(found.begin(), found.end(), [&](const FoundAction& each) {
+      return parseCommand(each.line).action == action.id;
+    });
+    EXPECT_TRUE(hasKey(ui.actions(), action) || inMenu || inSearch) << line;
+    EXPECT_FALSE(action.title.empty()) << action.id;
+    EXPECT_FALSE(action.help.empty()) << action.id;
+    EXPECT_TRUE(action.help.ends_with('.')) << action.id;
+  }
+  // The way to the search itself.
+  EXPECT_FALSE(ui.actions().shortcut("find-action").empty());
+}
+
+TEST(Reach, AWholeLineCanBeTypedIntoTheSearch) {
+  HeadlessFrame ui;
+  ui.openFlooded("sphere", 300);
+  ui.key("Ctrl+P");
+  ui.frames(3);
+  ui.type("checker-size 30");
+  ui.frames(2);
+  ui.enter();
+  EXPECT_EQ(ui.state().view.render.checkerSquares, 30);
+  EXPECT_FALSE(ui.state().panels.search);
+}
+
+TEST(Reach, AMenuEntryIsReachedByArrowsAndRunByEnter) {
+  HeadlessFrame ui;
+  ui.openFlooded("sphere", 300);
+  ui.click("menu/Help");
+  ui.frames(2);
+  for (int i = 0; i < 12 && !ui.state().panels.about; ++i) {
+    ui.arrow(ImGuiKey_UpArrow);  // round to the last entry
+    ui.arrow(ImGuiKey_Space);
+    ui.frames(2);
+    if (!ui.has("menu/about")) break;  // one was run
+  }
+  EXPECT_TRUE(ui.state().panels.about || ui.state().panels.log || ui.state().panels.keys ||
+              ui.state().panels.firstCard || ui.state().panels.search);
+}
+
+/// Paper parameters and the others of the interface's table have a row with a tooltip, and an
+/// option of the same name (tests/cli walks the options).
+TEST(Reach, EveryParameterRowHasItsTooltipAndOption) {
+  HeadlessFrame ui({1280, 4000});
+  ui.openFlooded("sphere", 300);
+  for (const char* group : {"Borders", "Cutting", "Unwrap", "Stopping", "Method"}) {
+    ui.click(std::string("section/") + group);
+    ui.frames(2);
+  }
+  for (const ParameterInfo& info : parameterTable()) {
+    const std::string label = std::string("label/") + info.id;
+    ASSERT_TRUE(ui.has(label)) << info.id;
+    ASSERT_TRUE(ui.has(info.id)) << info.id;
+    EXPECT_GE(std::string_view(info.help).size(), 20u) << info.id;
+    ui.moveTo(ui.item(label).center());
+    ui.frames(40);  // more than the delay
+    const ImGuiWindow* tip = nullptr;
+    for (const ImGuiWindow* window : GImGui->Windows) {
+      if (window->Active && (window->Flags & ImGuiWindowFlags_Tooltip) != 0) tip = window;
+    }
+    EXPECT_NE(tip, nullptr) << info.id << " has no tooltip";
+    Parameters trial;
+    const std::string value = parameterText(parameterDefault(info));
+    EXPECT_NO_THROW(setParameterFromText(trial, info, value)) << info.id;
+    EXPECT_EQ(findParameter(info.id), &info);
+  }
+}
+
+}  // namespace
+}  // namespace chartflood
