@@ -8,11 +8,11 @@ namespace chartflood {
 
 namespace {
 
-/// The last stage that a section's parameters act on.
+/// The last stage that a section's parameters act on; what is read on request acts on none.
 Stage lastStage(std::string_view group) {
   Stage last = Stage::Gauss;
   for (const ParameterInfo& info : parameterTable()) {
-    if (group == info.group) last = std::max(last, info.stage);
+    if (group == info.group && info.stage != Stage::Request) last = std::max(last, info.stage);
   }
   return last;
 }

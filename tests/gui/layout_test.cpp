@@ -126,7 +126,8 @@ TEST_P(Layout, EveryWidgetIsWholeInEveryTab) {
 TEST_P(Layout, WhatFloatsOverTheViewIsWhole) {
   if (GetParam().width < 1024) GTEST_SKIP() << "three columns need 1024 pixels";
   ui.openFlooded("cube", 300);
-  for (const char* line : {"color-mode balance", "legend on", "problems on", "tool seeds"}) {
+  for (const char* line :
+       {"set start flood", "color-mode balance", "legend on", "problems on", "tool seeds"}) {
     ui.state().perform(ui.actions(), line);
   }
   ui.frames(4);

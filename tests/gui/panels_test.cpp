@@ -168,6 +168,8 @@ TEST(Panels, SectionsOfWhatIsOutOfDateCarryADot) {
     EXPECT_TRUE(ui.has(std::string("stale/") + section)) << section;
   }
   run("run");  // to the end, the texture too
+  for (int i = 0; i < 500 && ui.state().status().busy; ++i) ui.frames(1);
+  ASSERT_FALSE(ui.state().status().busy);
   for (const char* section : kSections) {
     EXPECT_FALSE(ui.has(std::string("stale/") + section)) << section;
   }
