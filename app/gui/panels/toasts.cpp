@@ -63,9 +63,11 @@ float drawToast(const Ui& ui, std::size_t index, ImVec2 topRight, float width) {
 
 void toasts(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax) {
   const float margin = ui.px(12);
-  const float width = std::min(ui.px(380), areaMax.x - areaMin.x - 2 * margin);
-  // Beside the switch of tools where there is room, else below it.
-  const bool beside = areaMax.x - areaMin.x - width - 3 * margin >= ui.px(220);
+  const float most = areaMax.x - areaMin.x - 2 * margin;
+  // Beside the switch of tools where there is room for words, else below it.
+  const float room = most - margin - ui.px(216);
+  const bool beside = room >= ui.px(240);
+  const float width = std::min(ui.px(380), beside ? room : most);
   float y = areaMin.y + (beside ? margin : ui.px(48));
   for (std::size_t i = 0; i < ui.state.notices.toasts().size(); ++i) {
     y += drawToast(ui, i, {areaMax.x - margin, y}, width) + ui.px(6);
