@@ -18,10 +18,6 @@ const ChartPalette& paletteNamed(const std::string& id) {
   return *palette;
 }
 
-bool contains(const std::vector<Index>& list, Index value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
-
 }  // namespace
 
 ChartLayer::ChartLayer(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
@@ -81,8 +77,8 @@ void ChartLayer::update(const RenderSettings& settings, std::span<const float> l
   std::vector<glm::vec2> values;
   for (Index chart = 0; chart < colorNumber_.size(); ++chart) {
     const bool steppedBack =
-        !settings.selectedCharts.empty() && !contains(settings.selectedCharts, chart);
-    const float state = contains(settings.hiddenCharts, chart) ? 0.0f : steppedBack ? 0.5f : 1.0f;
+        !settings.selectedCharts.empty() && !holdsChart(settings.selectedCharts, chart);
+    const float state = holdsChart(settings.hiddenCharts, chart) ? 0.0f : steppedBack ? 0.5f : 1.0f;
     colors.emplace_back(chartColor(chart, settings.palette), state);
     const float longest = chart < longestTime.size() ? longestTime[chart] : 0.0f;
     values.emplace_back(chart < balance_.size() ? balance_[chart] : 0.0f,

@@ -1,6 +1,7 @@
 #pragma once
 /// Everything that can be chosen about a picture, as plain values.
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -17,6 +18,10 @@
 namespace chartflood {
 
 class Image;
+
+/// How fine a checkerboard can be.
+inline constexpr double kFewestCheckerSquares = 1, kMostCheckerSquares = 1000;
+inline constexpr int kMostCheckerRepeats = 64;
 
 /// What the colours of the model say.
 enum class ColorMode {
@@ -146,5 +151,10 @@ struct UvStyle {
 
   bool operator==(const UvStyle&) const = default;
 };
+
+/// Whether a list of charts, as the settings keep them, holds one.
+inline bool holdsChart(const std::vector<Index>& charts, Index chart) {
+  return std::find(charts.begin(), charts.end(), chart) != charts.end();
+}
 
 }  // namespace chartflood

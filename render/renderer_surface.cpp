@@ -17,7 +17,7 @@ namespace chartflood {
 namespace {
 
 // Values of FILL in surface.frag.
-enum Fill { kPlain, kCharts, kTriangleValue, kChartValue, kFloodTime, kFloodOrder, kChecker };
+enum Fill { kNoFill, kCharts, kTriangleValue, kChartValue, kFloodTime, kFloodOrder, kChecker };
 
 /// Without a picture there are squares.
 CheckerKind shownChecker(const RenderSettings& settings) {
@@ -123,7 +123,7 @@ int Renderer::fillNumber(const RenderSettings& settings) const {
   case ColorMode::Shaded:
   case ColorMode::GaussVertex:
   case ColorMode::GaussEdge:
-    return kPlain;
+    return kNoFill;
   case ColorMode::Charts:
     return kCharts;
   case ColorMode::Balance:

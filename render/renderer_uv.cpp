@@ -17,10 +17,6 @@ namespace {
 
 constexpr glm::vec4 kWhite(0.98f, 0.98f, 0.97f, 1);
 
-bool contains(const std::vector<Index>& list, Index value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
-
 /// Distance of the grid's lines: round numbers that stand at least 64 pixels apart.
 double gridStep(double pixelsPerUnit) {
   double step = 1;
@@ -33,7 +29,7 @@ double gridStep(double pixelsPerUnit) {
   return step;
 }
 
-std::string numberText(double value) {
+std::string rulerText(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value == 0 ? 0.0 : value);  // never "-0"
   return text;
@@ -126,14 +122,14 @@ void Renderer::addUvTicks(const Frame& frame, const UvCamera& camera) {
       std::clamp(corner.y + 1.1f * text.size, text.size, static_cast<float>(size.y) - text.size);
   for (double i = std::ceil(low.y / step - 1e-9); i * step <= high.y + 1e-9; ++i) {
     const auto y = static_cast<float>(camera.toPixel({0, i * step}, size).y);
-    const std::string number = numberText(i * step);
+    const std::string number = rulerText(i * step);
     const float least = overlay_.textWidth(number, text.size) + 0.4f * text.size;
     const float x = std::clamp(corner.x - 0.5f * text.size, least, static_cast<float>(size.x));
     if (y < row - text.size) overlay_.text({x, y}, number, text, TextAlign::Right);
   }
   for (double i = std::ceil(low.x / step - 1e-9); i * step <= high.x + 1e-9; ++i) {
     const auto x = static_cast<float>(camera.toPixel({i * step, 0}, size).x);
-    const std::string number = numberText(i * step);
+    const std::string number = rulerText(i * step);
     const float half = 0.5f * overlay_.textWidth(number, text.size);
     if (x < half || x + half > static_cast<float>(size.x)) continue;  // would be cut off
     overlay_.text({x, row}, number, text, TextAlign::Center);
@@ -160,8 +156,8 @@ void Renderer::drawUvLines(const Frame& frame, const UvStyle& style) {
   for (Index island = 0; island < uv_->layout().firstTriangle.size(); ++island) {
     const Index chart = charts_->chartOf(uv_->layout().firstTriangle[island]);
     const bool strong =
-        chart != kNone && (chart == hovered || contains(settings.selectedCharts, chart));
-    const bool hidden = contains(settings.hiddenCharts, chart);
+        chart != kNone && (chart == hovered || holdsChart(settings.selectedCharts, chart));
+    const bool hidden = holdsChart(settings.hiddenCharts, chart);
     if (hidden || (!strong && (settings.hiddenCharts.empty() || !settings.seams))) continue;
     drawUvOutline(frame, uv_->outlineOf(island), style.outlineWidth + (strong ? 1.0f : 0.0f));
   }
@@ -182,7 +178,7 @@ void Renderer::addUvNumbers(const Frame& frame, const UvCamera& camera) {
   style.halo = glm::vec4(0.04f, 0.04f, 0.05f, 0.9f);
   for (const ChartLabel& label : uv_->layout().places) {
     const Index chart = charts_->chartOf(uv_->layout().firstTriangle[label.chart]);
-    if (chart == kNone || contains(settings.hiddenCharts, chart)) continue;
+    if (chart == kNone || holdsChart(settings.hiddenCharts, chart)) continue;
     // Numbers of small charts are smaller, down to what can be read.
     style.size = std::min(largest, 1.5f * label.room * unit);
     if (style.size < 0.6f * largest) continue;

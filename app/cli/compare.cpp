@@ -23,7 +23,7 @@ namespace {
 using ResultsPtr = std::shared_ptr<const Results>;
 
 /// One method with borders finished in one way.
-struct Run {
+struct MethodRun {
   ResultsPtr shown;  ///< unwrapped as the call asks
   ComparisonRow row;
 };
@@ -43,7 +43,7 @@ ResultsPtr laidFlat(Session& session, const Invocation& call, const std::string&
   return results;
 }
 
-Run measured(Session& session, const Invocation& call, bool alike) {
+MethodRun measured(Session& session, const Invocation& call, bool alike) {
   const auto reported = [](const Results& results) {
     return makeReport(results, {}, CHARTFLOOD_VERSION).results.front();
   };
@@ -51,7 +51,7 @@ Run measured(Session& session, const Invocation& call, bool alike) {
   const ResultsPtr circle = laidFlat(session, call, "circle", showsCircle && !alike);
   const ResultsPtr free = laidFlat(session, call, "free", !showsCircle && !alike);
   const ResultReport onCircle = reported(*circle), outlined = reported(*free);
-  Run run;
+  MethodRun run;
   run.shown = showsCircle ? circle : free;
   ComparisonRow& row = run.row;
   row.method = onCircle.method;
@@ -78,8 +78,8 @@ Run measured(Session& session, const Invocation& call, bool alike) {
   return run;
 }
 
-std::vector<Run> runsOf(Session& session, const Invocation& call) {
-  std::vector<Run> runs;
+std::vector<MethodRun> runsOf(Session& session, const Invocation& call) {
+  std::vector<MethodRun> runs;
   for (const std::string& method : call.compare) {
     Invocation one = call;
     one.parameters = asLeft(call.parameters, method);
@@ -106,10 +106,10 @@ std::vector<Run> runsOf(Session& session, const Invocation& call) {
   return runs;
 }
 
-std::string comparisonReport(const std::vector<Run>& runs) {
+std::string comparisonReport(const std::vector<MethodRun>& runs) {
   Report report = makeReport(*runs.front().shown, {}, CHARTFLOOD_VERSION);
   report.results.clear();
-  for (const Run& run : runs) {
+  for (const MethodRun& run : runs) {
     report.comparison.push_back(run.row);
     if (run.row.alike) continue;
     report.results.push_back(makeReport(*run.shown, {}, CHARTFLOOD_VERSION).results.front());
@@ -126,11 +126,11 @@ void runComparison(const Invocation& call) {
   if (!call.output.empty()) checkGrid(call);
   Session session(Session::Worker::Threaded);
   openInput(session, call);
-  const std::vector<Run> runs = runsOf(session, call);
+  const std::vector<MethodRun> runs = runsOf(session, call);
   std::vector<ComparisonRow> rows;
   std::vector<ResultsPtr> shown;
   std::vector<std::vector<std::string>> captions;
-  for (const Run& run : runs) {
+  for (const MethodRun& run : runs) {
     rows.push_back(run.row);
     if (run.row.alike) continue;
     shown.push_back(run.shown);

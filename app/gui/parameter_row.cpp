@@ -110,7 +110,7 @@ struct RowLayout {
   }
 };
 
-void rowLabel(const Ui& ui, const ParameterInfo& info, const RowLayout& row) {
+void parameterLabel(const Ui& ui, const ParameterInfo& info, const RowLayout& row) {
   ImGui::SetCursorPosX(row.left);
   ImGui::AlignTextToFramePadding();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -217,7 +217,7 @@ void parameterRow(const Ui& ui, const ParameterInfo& info) {
   if (!unused.empty()) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, kDimmed);
   const bool wanted = ui.state.panels.shownParameter == info.id;
   if (wanted) ui.state.panels.shownParameter.clear();
-  rowLabel(ui, info, row);
+  parameterLabel(ui, info, row);
   if (wanted) {
     ImGui::SetScrollHereY(0.3f);
     ImGui::SetKeyboardFocusHere();

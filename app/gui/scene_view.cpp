@@ -6,6 +6,7 @@
 
 #include <epoxy/gl.h>
 
+#include "app/gui/drawing_budget.h"
 #include "app/gui/imgui_gl.h"
 #include "render/corner_uv.h"
 
@@ -13,9 +14,6 @@ namespace chartflood {
 
 namespace {
 
-constexpr int kSmoothSamples = 4;
-constexpr double kSmoothWhileMoving = 0.012;  // seconds a smooth picture may take in motion
-constexpr double kSecondsAtOnce = 0.009;      // of drawing before the window is looked after
 constexpr std::size_t kFacesAtOnce = 30'000;  // of a flood's log taken in by one pass
 constexpr double kCoarseFrom = 0.045;         // slower plain pictures get half the size in motion
 constexpr double kCoarseUntil = 0.012;        // quicker coarse ones get their full size back

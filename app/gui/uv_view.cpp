@@ -6,17 +6,10 @@
 
 #include <epoxy/gl.h>
 
+#include "app/gui/drawing_budget.h"
 #include "app/gui/imgui_gl.h"
 
 namespace chartflood {
-
-namespace {
-
-constexpr int kSmoothSamples = 4;
-constexpr double kSmoothWhileMoving = 0.012;  // seconds a smooth picture may take in motion
-constexpr double kSecondsAtOnce = 0.009;      // of drawing before the window is looked after
-
-}  // namespace
 
 RenderSettings uvSettings(const AppState& state, float pixelScale) {
   RenderSettings settings = sceneSettings(state, pixelScale);

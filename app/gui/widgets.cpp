@@ -108,6 +108,12 @@ void actionMenuItem(const Ui& ui, std::string_view line, const std::string& titl
   if (clicked) ui.run(line);
 }
 
+void rowLabel(const char* words, float share) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(words);
+  ImGui::SameLine(std::round(ImGui::GetWindowContentRegionMax().x * share));
+}
+
 void switchRow(const Ui& ui, const char* words, bool on, std::string_view line) {
   const std::string reason = ui.actions.refusal(line, ui.state);
   ImGui::PushID(line.data(), line.data() + line.size());

@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include "app/host/action_needs.h"
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
@@ -18,9 +19,6 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kFewestSquares = 1, kMostSquares = 1000;
-constexpr long kMostRepeats = 64;
-
 /// The chart before or after the selected one, going round.
 void selectNeighbour(AppState& state, int step) {
   const auto& stats = state.results().chartStats;
@@ -29,22 +27,6 @@ void selectNeighbour(AppState& state, int step) {
   const long start = step > 0 ? -1 : 0;
   const long now = state.selectedChart == kNone ? start : static_cast<long>(state.selectedChart);
   state.selectedChart = static_cast<Index>((now + step + count) % count);
-}
-
-std::string needsCharts(const AppState& state) {
-  const auto& stats = state.results().chartStats;
-  return stats && !stats->charts.empty() ? "" : "There are no charts yet.";
-}
-
-/// The chart that is named, or the selected one. \throws Refusal without it
-Index chartOf(const AppState& state, const Arguments& a) {
-  const long wanted = a.integer("chart", -1);
-  const Index chart = wanted < 0 ? state.selectedChart : static_cast<Index>(wanted);
-  if (chart == kNone) throw Refusal("Select a chart first.");
-  if (chart >= state.results().chartStats->charts.size()) {
-    throw Refusal("There is no chart " + std::to_string(chart) + '.');
-  }
-  return chart;
 }
 
 void hideChart(AppState& state, Index chart) {
@@ -84,7 +66,7 @@ void addHiding(ActionRegistry& registry) {
                 .arguments = {which},
                 .refusal = needsCharts,
                 .run = [](AppState& state, const Arguments& a) {
-                  state.selectedChart = chartOf(state, a);
+                  state.selectedChart = namedChart(state, a);
                   state.view.isolate = true;
                 }});
   registry.add(
@@ -93,7 +75,7 @@ void addHiding(ActionRegistry& registry) {
        .help = "Leaves a chart out of both views, to look at what is behind it.",
        .arguments = {which},
        .refusal = needsCharts,
-       .run = [](AppState& state, const Arguments& a) { hideChart(state, chartOf(state, a)); }});
+       .run = [](AppState& state, const Arguments& a) { hideChart(state, namedChart(state, a)); }});
   registry.bind("Shift+H", "hide-chart");
   registry.add({.id = "show-all-charts",
                 .title = "Show all charts",
@@ -115,7 +97,7 @@ void addHiding(ActionRegistry& registry) {
                 .arguments = {which},
                 .refusal = needsCharts,
                 .run = [](AppState& state, const Arguments& a) {
-                  showInTexture(state, chartOf(state, a));
+                  showInTexture(state, namedChart(state, a));
                 }});
   registry.bind("Shift+F", "chart-in-texture");
 }
@@ -162,7 +144,7 @@ void addSelection(ActionRegistry& registry) {
 }
 
 void setCheckerSize(AppState& state, double squares) {
-  if (!(squares >= kFewestSquares && squares <= kMostSquares)) {
+  if (!(squares >= kFewestCheckerSquares && squares <= kMostCheckerSquares)) {
     throw UsageError("The checkerboard can have 1 to 1000 squares along the model.");
   }
   state.view.render.checkerSquares = static_cast<float>(squares);
@@ -193,7 +175,7 @@ void addCheckerPicture(ActionRegistry& registry) {
                 .refusal = {},
                 .run = [](AppState& state, const Arguments& a) {
                   const long count = a.integer("count");
-                  if (count < 1 || count > kMostRepeats) {
+                  if (count < 1 || count > kMostCheckerRepeats) {
                     throw UsageError("The picture can go 1 to 64 times along the texture.");
                   }
                   state.view.render.checkerRepeats = static_cast<float>(count);

@@ -1,5 +1,6 @@
 // Actions that write files from the results.
 
+#include "app/host/action_needs.h"
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
@@ -13,10 +14,6 @@
 namespace chartflood {
 
 namespace {
-
-std::string needsMesh(const AppState& state) {
-  return state.hasMesh() ? "" : "There is no model yet; open one first.";
-}
 
 std::string needsLabels(const AppState& state) {
   if (!state.hasMesh()) return needsMesh(state);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/host/action_needs.h"
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
@@ -16,10 +17,6 @@ namespace chartflood {
 namespace {
 
 const std::vector<std::string> kBrushes = {"cut", "never", "erase"};
-
-std::string needsMesh(const AppState& state) {
-  return state.hasMesh() ? "" : "There is no model yet; open one first.";
-}
 
 std::string needsHints(const AppState& state) {
   if (!state.hasMesh()) return needsMesh(state);

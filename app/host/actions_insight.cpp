@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "app/host/action_needs.h"
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
@@ -13,22 +14,6 @@
 namespace chartflood {
 
 namespace {
-
-std::string needsCharts(const AppState& state) {
-  const auto& stats = state.results().chartStats;
-  return stats && !stats->charts.empty() ? "" : "There are no charts yet.";
-}
-
-/// The chart named in the first argument, or the selected one. \throws Error without it
-Index chartOf(const AppState& state, const Arguments& a) {
-  const long wanted = a.integer("chart", -1);
-  const Index chart = wanted < 0 ? state.selectedChart : static_cast<Index>(wanted);
-  if (chart == kNone) throw Error("Select a chart first.");
-  if (chart >= state.results().chartStats->charts.size()) {
-    throw Error("There is no chart " + std::to_string(chart) + ".");
-  }
-  return chart;
-}
 
 void addFigures(ActionRegistry& registry) {
   registry.add({.id = "copy-charts",
@@ -46,7 +31,7 @@ void addFigures(ActionRegistry& registry) {
                 .arguments = {{"chart", ArgumentType::Integer, "left out: the selected", false}},
                 .refusal = needsCharts,
                 .run = [](AppState& state, const Arguments& a) {
-                  const Index chart = chartOf(state, a);
+                  const Index chart = namedChart(state, a);
                   state.requests.clipboard = chartFigures(state.results(), chart);
                   state.notices.add(Notice::Kind::Info,
                                     "Copied the figures of chart " + std::to_string(chart) + ".");
@@ -78,7 +63,7 @@ void addSphere(ActionRegistry& registry) {
 void frameSelection(AppState& state, const Arguments& a) {
   if (a.has("chart")) {
     if (const std::string reason = needsCharts(state); !reason.empty()) throw Error(reason);
-    return state.showChart(chartOf(state, a));
+    return state.showChart(namedChart(state, a));
   }
   if (state.panels.uvUnderMouse) {
     state.view.uvCamera = {};

@@ -15,7 +15,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr long kMostSteps = 32;
+constexpr long kMostColors = 32;
 
 std::vector<std::string> colorMapIds() {
   std::vector<std::string> ids = {"auto"};
@@ -124,7 +124,7 @@ void addMap(ActionRegistry& registry) {
                 .refusal = needsValues,
                 .run = [](AppState& state, const Arguments& a) {
                   const long count = a.integer("count");
-                  if (count != 0 && (count < 2 || count > kMostSteps)) {
+                  if (count != 0 && (count < 2 || count > kMostColors)) {
                     throw UsageError("The colours can have 2 to 32 steps, or 0 for a smooth run.");
                   }
                   state.view.render.colorSteps = static_cast<int>(count);

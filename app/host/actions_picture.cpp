@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/host/action_needs.h"
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
@@ -11,10 +12,6 @@
 namespace chartflood {
 
 namespace {
-
-std::string needsMesh(const AppState& state) {
-  return state.hasMesh() ? "" : "There is no model yet; open one first.";
-}
 
 /// Why the view asked for cannot be taken; "" when it can.
 std::string viewRefusal(const AppState& state, const std::string& view) {

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/host/action_needs.h"
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
@@ -15,12 +16,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr long kMostSteps = 1000;
-
-std::string needsSeeds(const AppState& state) {
-  if (!state.hasMesh()) return "There is no model yet; open one first.";
-  return state.presentSeeds().empty() ? "There are no seeds yet; press Play." : "";
-}
+constexpr long kMostFaces = 1000;
 
 bool hasChosen(const AppState& state) { return state.chosenSeed < state.presentSeeds().size(); }
 
@@ -50,7 +46,7 @@ void chooseSeed(AppState& state, const std::string& which) {
 }
 
 void nudgeSeed(AppState& state, const std::string& way, long steps) {
-  if (steps < 1 || steps > kMostSteps) throw UsageError("A seed can go 1 to 1000 faces at once.");
+  if (steps < 1 || steps > kMostFaces) throw UsageError("A seed can go 1 to 1000 faces at once.");
   const Camera& camera = state.view.camera;
   const glm::dvec3 direction = way == "left"    ? -camera.right()
                                : way == "right" ? camera.right()

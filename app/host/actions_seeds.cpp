@@ -1,5 +1,6 @@
 // Actions of the hand on the seeds. Faces are those of the file, as with the option --seeds.
 
+#include "app/host/action_needs.h"
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
@@ -8,15 +9,6 @@
 namespace chartflood {
 
 namespace {
-
-std::string needsMesh(const AppState& state) {
-  return state.hasMesh() ? "" : "There is no model yet; open one first.";
-}
-
-std::string needsSeeds(const AppState& state) {
-  if (!state.hasMesh()) return needsMesh(state);
-  return state.presentSeeds().empty() ? "There are no seeds yet; press Play." : "";
-}
 
 Index faceOf(const AppState& state, const Arguments& a) {
   const long face = a.integer("face", -1);

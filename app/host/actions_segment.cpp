@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/host/action_needs.h"
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
@@ -11,24 +12,20 @@ namespace chartflood {
 
 namespace {
 
-constexpr const char* kNoMesh = "There is no model yet; open one first.";
-
-std::string needsMesh(const AppState& state) { return state.hasMesh() ? "" : kNoMesh; }
-
 std::string needsRecord(const AppState& state) {
-  if (!state.hasMesh()) return kNoMesh;
+  if (!state.hasMesh()) return needsMesh(state);
   return state.playback.recorded() == 0 ? "Nothing is flooded yet; press Play." : "";
 }
 
 std::string needsMoreToFlood(const AppState& state) {
-  if (!state.hasMesh()) return kNoMesh;
+  if (!state.hasMesh()) return needsMesh(state);
   const bool over =
       state.results().finished && state.playback.atEndOfRun() && state.playback.complete();
   return over ? "The segmentation is finished; reset it or change a parameter to go on." : "";
 }
 
 std::string needsRounds(const AppState& state) {
-  if (!state.hasMesh()) return kNoMesh;
+  if (!state.hasMesh()) return needsMesh(state);
   return state.results().history.empty() ? "No round is finished yet." : "";
 }
 
@@ -209,7 +206,7 @@ void addUnwrap(ActionRegistry& registry) {
                 .help = "Cuts the charts into disks, lays them flat and packs them into a texture.",
                 .arguments = {},
                 .refusal = [](const AppState& state) -> std::string {
-                  if (!state.hasMesh()) return kNoMesh;
+                  if (!state.hasMesh()) return needsMesh(state);
                   const auto& labels = state.results().segmentation;
                   const bool ready = labels && labels->complete && !state.results().stale;
                   return ready ? "" : "There are no complete charts yet; finish a flood first.";

@@ -1,5 +1,6 @@
 // Actions that keep the work: saving, the question before it would be lost, what a crash left.
 
+#include "app/host/action_needs.h"
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
@@ -8,10 +9,6 @@
 namespace chartflood {
 
 namespace {
-
-std::string needsMesh(const AppState& state) {
-  return state.hasMesh() ? "" : "There is no model yet; open one first.";
-}
 
 std::string needsQuestion(const AppState& state) {
   return state.panels.unsavedQuestion ? "" : "Nothing was asked.";

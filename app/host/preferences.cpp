@@ -20,9 +20,10 @@ constexpr const char* kConfigName = "config.json";
 constexpr const char* kStateName = "state.json";
 
 /// One file's values, with a note of what could not be used.
-class Values {
+class PreferenceValues {
  public:
-  Values(const std::filesystem::path& file, std::string& warning) : file_(file), warning_(warning) {
+  PreferenceValues(const std::filesystem::path& file, std::string& warning)
+      : file_(file), warning_(warning) {
     std::error_code error;
     if (!std::filesystem::exists(file, error)) return;
     std::ifstream stream(file);
@@ -93,7 +94,7 @@ Json presetsJson(const Preferences& preferences) {
 }
 
 /// Each as "key=value", so that one that cannot be used does not cost the others.
-void readPicture(Values& config, PictureSettings& picture, std::string& warning) {
+void readPicture(PreferenceValues& config, PictureSettings& picture, std::string& warning) {
   std::vector<std::string> list;
   config.readStrings("picture", list);
   picture.lockRatio = false;  // both sides of the own size are read as they are
@@ -176,7 +177,7 @@ Preferences readPreferences(const std::filesystem::path& configFolder,
   Preferences result;
   std::string navigation = navigationStyleId(result.navigation), live = liveModeId(result.live),
               theme = themeInfo(result.theme).id;
-  Values config(configFolder / kConfigName, warning);
+  PreferenceValues config(configFolder / kConfigName, warning);
   config.read("theme", theme, &Json::is_string);
   config.read("ui-scale", result.uiScale, &Json::is_number);
   config.read("navigation", navigation, &Json::is_string);
@@ -198,7 +199,7 @@ Preferences readPreferences(const std::filesystem::path& configFolder,
   if (const ThemeInfo* known = findTheme(theme)) result.theme = known->kind;
   if (result.uiScale != 0) result.uiScale = std::clamp(result.uiScale, 0.75, 2.5);
 
-  Values state(stateFolder / kStateName, warning);
+  PreferenceValues state(stateFolder / kStateName, warning);
   state.read("window-width", result.windowWidth, &Json::is_number_integer);
   state.read("window-height", result.windowHeight, &Json::is_number_integer);
   state.readStrings("recent-files", result.recentFiles);

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/host/thickness.h"
+#include "core/base/cross.h"
 #include "core/param/uv_overlaps.h"
 
 namespace chartflood {
@@ -50,8 +51,6 @@ constexpr std::array<KindInfo, kKinds.size()> kInfos = {{
 }};
 
 const KindInfo& infoOf(ProblemKind kind) { return kInfos[static_cast<std::size_t>(kind)]; }
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Whether the unwrap belongs to the charts.
 bool isFlat(const Results& r) {

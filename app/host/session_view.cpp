@@ -21,7 +21,6 @@ namespace {
 using Numbers = std::vector<double>;
 
 /// The limits of the checkerboard's action.
-constexpr double kFewestSquares = 1, kMostSquares = 1000, kMostRepeats = 64;
 
 /// One named setting: how it is read off and set. `set` says whether the value could be used.
 struct ViewRow {
@@ -68,7 +67,7 @@ std::vector<ViewRow> overlayRows() {
           switchRow("invert-colors", &RenderSettings::invertColorMap)};
 }
 
-bool setColorMode(ViewSettings& view, const SessionValue& value) {
+bool readColorMode(ViewSettings& view, const SessionValue& value) {
   const std::string* id = std::get_if<std::string>(&value);
   const ColorModeInfo* mode = id == nullptr ? nullptr : findColorMode(*id);
   if (mode == nullptr) return false;
@@ -78,21 +77,21 @@ bool setColorMode(ViewSettings& view, const SessionValue& value) {
   return true;
 }
 
-bool setColorMap(ViewSettings& view, const SessionValue& value) {
+bool readColorMap(ViewSettings& view, const SessionValue& value) {
   const std::string* id = std::get_if<std::string>(&value);
   if (id == nullptr || (!id->empty() && findColorMap(*id) == nullptr)) return false;
   view.render.colorMap = *id;
   return true;
 }
 
-bool setRange(ViewSettings& view, const SessionValue& value) {
+bool readRange(ViewSettings& view, const SessionValue& value) {
   const Numbers* ends = numbers(value, 2);
   if (ends == nullptr || !((*ends)[0] < (*ends)[1])) return false;
   view.render.range = {(*ends)[0], (*ends)[1]};
   return true;
 }
 
-bool setLegends(ViewSettings& view, const SessionValue& value) {
+bool readLegends(ViewSettings& view, const SessionValue& value) {
   const std::string* text = std::get_if<std::string>(&value);
   return text != nullptr && applyLegends(*text, view);
 }
@@ -108,7 +107,7 @@ SessionValue groundOf(const ViewSettings& view) {
                  ground.transparent ? 0.0 : 1.0};
 }
 
-bool setGround(ViewSettings& view, const SessionValue& value) {
+bool readGround(ViewSettings& view, const SessionValue& value) {
   const Numbers* n = numbers(value, 7);
   const auto isShare = [](double x) { return x >= 0 && x <= 1; };
   if (n == nullptr || !std::all_of(n->begin(), n->end(), isShare)) return false;
@@ -138,7 +137,7 @@ SessionValue chartColorsOf(const ViewSettings& view) {
   return Numbers(view.chartColors.begin(), view.chartColors.end());
 }
 
-bool setChartColors(ViewSettings& view, const SessionValue& value) {
+bool readChartColors(ViewSettings& view, const SessionValue& value) {
   const Numbers* list = std::get_if<Numbers>(&value);
   if (list == nullptr || list->size() > kNone) return false;
   std::vector<Index> numbers;
@@ -158,17 +157,17 @@ std::vector<ViewRow> colorRows() {
   const auto range = [](const ViewSettings& view) {
     return SessionValue(Numbers{view.render.range->first, view.render.range->second});
   };
-  return {{"color-by", colorMode, setColorMode},
+  return {{"color-by", colorMode, readColorMode},
           {"colormap", [](const ViewSettings& view) { return SessionValue(view.render.colorMap); },
-           setColorMap},
-          {"range", range, setRange,
+           readColorMap},
+          {"range", range, readRange,
            [](const ViewSettings& view) { return view.render.range.has_value(); }},
           {"legends", [](const ViewSettings& view) { return SessionValue(legendsText(view)); },
-           setLegends, [](const ViewSettings& view) { return !legendsText(view).empty(); }},
-          {"background", groundOf, setGround},
+           readLegends, [](const ViewSettings& view) { return !legendsText(view).empty(); }},
+          {"background", groundOf, readGround},
           chartsRow("selected-charts", &RenderSettings::selectedCharts),
           chartsRow("hidden-charts", &RenderSettings::hiddenCharts),
-          {"chart-colors", chartColorsOf, setChartColors,
+          {"chart-colors", chartColorsOf, readChartColors,
            [](const ViewSettings& view) { return !view.chartColors.empty(); }}};
 }
 
@@ -193,7 +192,7 @@ SessionValue cameraOf(const ViewSettings& view) {
                  c.orientation.z, c.distance,      exactDegrees(c.fieldOfView)};
 }
 
-bool setCamera(ViewSettings& view, const SessionValue& value) {
+bool readCamera(ViewSettings& view, const SessionValue& value) {
   const Numbers* n = numbers(value, 9);
   if (n == nullptr) return false;
   const glm::dquat turn((*n)[3], (*n)[4], (*n)[5], (*n)[6]);
@@ -212,7 +211,7 @@ bool setCamera(ViewSettings& view, const SessionValue& value) {
 }
 
 std::vector<ViewRow> cameraRows() {
-  return {{"camera", cameraOf, setCamera,
+  return {{"camera", cameraOf, readCamera,
            [](const ViewSettings& view) { return !view.frameWhenLoaded; }},
           {"camera-orthographic",
            [](const ViewSettings& view) { return SessionValue(view.camera.orthographic); },
@@ -243,7 +242,7 @@ ViewRow shareRow(const char* name, float RenderSettings::*member, double low, do
           }};
 }
 
-bool setCheckerKind(ViewSettings& view, const SessionValue& value) {
+bool readCheckerKind(ViewSettings& view, const SessionValue& value) {
   const std::string* id = std::get_if<std::string>(&value);
   if (id == nullptr) return false;
   for (const CheckerKind kind :
@@ -255,7 +254,7 @@ bool setCheckerKind(ViewSettings& view, const SessionValue& value) {
   return false;
 }
 
-bool setCheckerFile(ViewSettings& view, const SessionValue& value) {
+bool readCheckerFile(ViewSettings& view, const SessionValue& value) {
   const std::string* file = std::get_if<std::string>(&value);
   if (file == nullptr) return false;
   const CheckerKind kind = view.render.checkerKind;
@@ -272,12 +271,13 @@ std::vector<ViewRow> checkerRows() {
   const auto kind = [](const ViewSettings& view) {
     return SessionValue(std::string(checkerKindId(view.render.checkerKind)));
   };
-  return {{"checker-kind", kind, setCheckerKind},
+  return {{"checker-kind", kind, readCheckerKind},
           {"checker-picture",
-           [](const ViewSettings& view) { return SessionValue(view.checkerFile); }, setCheckerFile,
+           [](const ViewSettings& view) { return SessionValue(view.checkerFile); }, readCheckerFile,
            [](const ViewSettings& view) { return !view.checkerFile.empty(); }},
-          shareRow("checker-repeats", &RenderSettings::checkerRepeats, 1, kMostRepeats),
-          shareRow("checker-size", &RenderSettings::checkerSquares, kFewestSquares, kMostSquares),
+          shareRow("checker-repeats", &RenderSettings::checkerRepeats, 1, kMostCheckerRepeats),
+          shareRow("checker-size", &RenderSettings::checkerSquares, kFewestCheckerSquares,
+                   kMostCheckerSquares),
           shareRow("checker-tint", &RenderSettings::checkerTint, 0, 1),
           switchRow("checker-in-texture", &RenderSettings::checkerInTexture)};
 }
@@ -288,7 +288,7 @@ SessionValue uvCameraOf(const ViewSettings& view) {
   return Numbers{c.center.x, c.center.y, c.span};
 }
 
-bool setUvCamera(ViewSettings& view, const SessionValue& value) {
+bool readUvCamera(ViewSettings& view, const SessionValue& value) {
   const Numbers* n = numbers(value, 3);
   if (n == nullptr) return false;
   const double u = (*n)[0], v = (*n)[1], span = (*n)[2];
@@ -301,7 +301,7 @@ bool setUvCamera(ViewSettings& view, const SessionValue& value) {
 std::vector<ViewRow> uvRows() {
   return {switchRow("uv-fill", &ViewSettings::uv, &UvStyle::fill),
           switchRow("uv-frame", &ViewSettings::uv, &UvStyle::frame),
-          {"uv-camera", uvCameraOf, setUvCamera}};
+          {"uv-camera", uvCameraOf, readUvCamera}};
 }
 
 /// Orientation (w, x, y, z) of the Gauss sphere where it does not turn with the model.
@@ -310,7 +310,7 @@ SessionValue sphereTurnOf(const ViewSettings& view) {
   return Numbers{turn.w, turn.x, turn.y, turn.z};
 }
 
-bool setSphereTurn(ViewSettings& view, const SessionValue& value) {
+bool readSphereTurn(ViewSettings& view, const SessionValue& value) {
   const Numbers* n = numbers(value, 4);
   if (n == nullptr) return false;
   const glm::dquat turn((*n)[0], (*n)[1], (*n)[2], (*n)[3]);
@@ -328,7 +328,7 @@ std::vector<ViewRow> sphereRows() {
     return on != nullptr;
   };
   return {{"sphere-linked", linked, link},
-          {"sphere-turn", sphereTurnOf, setSphereTurn,
+          {"sphere-turn", sphereTurnOf, readSphereTurn,
            [](const ViewSettings& view) { return !view.sphereLinked; }}};
 }
 

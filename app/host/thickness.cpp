@@ -7,11 +7,11 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/cross.h"
+
 namespace chartflood {
 
 namespace {
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Corners of the convex hull, counter-clockwise (Andrew's monotone chain).
 std::vector<glm::dvec2> convexHull(std::span<const glm::dvec2> points) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/base/parallel.h"
 #include "core/charts/chart_surface.h"
 #include "core/charts/loop_merge_cutter.h"
@@ -13,10 +14,6 @@
 namespace chartflood {
 
 namespace {
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
 
 /// Why a chart is no disk, for somebody who has the switches at hand; "" for a disk.
 std::string problemOf(const ChartTopology& topology, const CutOptions& options) {

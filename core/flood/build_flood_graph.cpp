@@ -13,7 +13,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kBlock = 1 << 13;
+constexpr std::size_t kFaceBlock = 1 << 13;
 
 /// f(|K|) of equation 7 over its geometric middle.
 class Slowness {
@@ -44,7 +44,7 @@ class Slowness {
 };
 
 /// Everything the two layouts are filled from.
-struct Source {
+struct GraphSource {
   const Mesh& mesh;
   std::vector<double> faceGauss, faceArea;
   std::vector<glm::dvec3> centroid;
@@ -65,11 +65,11 @@ struct Source {
   }
 };
 
-void fillPacked(const Source& source, FloodGraph& graph) {
+void fillPacked(const GraphSource& source, FloodGraph& graph) {
   const Mesh& mesh = source.mesh;
   const auto opposite = mesh.opposite();
   graph.faces.resize(graph.faceCount);
-  parallelBlocks(graph.faceCount, kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(graph.faceCount, kFaceBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index face = static_cast<Index>(i);
       FloodFace& record = graph.faces[i];
@@ -98,7 +98,7 @@ void fillPacked(const Source& source, FloodGraph& graph) {
   }
 }
 
-void fillArcs(const Source& source, FloodGraph& graph) {
+void fillArcs(const GraphSource& source, FloodGraph& graph) {
   const Mesh& mesh = source.mesh;
   const auto opposite = mesh.opposite();
   graph.gain.resize(graph.faceCount);
@@ -149,7 +149,7 @@ std::vector<glm::dvec3> faceCentroids(const Mesh& mesh) {
   const auto positions = mesh.positions();
   const auto area = mesh.triangleArea();
   std::vector<glm::dvec3> out(mesh.faceCount());
-  parallelBlocks(mesh.faceCount(), kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(mesh.faceCount(), kFaceBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const Index first = mesh.triangleBegin(static_cast<Index>(f));
       const Index last = mesh.triangleBegin(static_cast<Index>(f) + 1);
@@ -177,14 +177,14 @@ FloodGraph buildFloodGraph(const Mesh& mesh, const GaussArea& gauss, const Flood
   const double counted = speeds.areaShare * std::max(gauss.total(), 4 * std::numbers::pi);
   graph.eta = mesh.surfaceArea() > 0 ? counted / mesh.surfaceArea() : 0;
 
-  Source source{mesh,
-                faceGaussArea(mesh, gauss),
-                faceAreas(mesh),
-                faceCentroids(mesh),
-                {},
-                {},
-                smallestArea(mesh),
-                Slowness(speeds, gauss.maxCurvature)};
+  GraphSource source{mesh,
+                     faceGaussArea(mesh, gauss),
+                     faceAreas(mesh),
+                     faceCentroids(mesh),
+                     {},
+                     {},
+                     smallestArea(mesh),
+                     Slowness(speeds, gauss.maxCurvature)};
   if (!gauss.sharpEdges.empty()) {
     source.sideGain.assign(3 * mesh.triangleCount(), 0.0f);
     for (std::size_t i = 0; i < gauss.sharpEdges.size(); ++i) {

@@ -14,7 +14,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kBlock = 1 << 13;
+constexpr std::size_t kSumBlock = 1 << 13;
 
 double sumOf(const std::vector<double>& values) {
   double sum = 0;
@@ -26,11 +26,11 @@ double sumOf(const std::vector<double>& values) {
 /// block by block.
 template <class Signed>
 double signedPass(std::size_t count, const Signed& value) {
-  const std::size_t blocks = (count + kBlock - 1) / kBlock;
+  const std::size_t blocks = (count + kSumBlock - 1) / kSumBlock;
   std::vector<double> partial(blocks, 0);
   parallelFor(blocks, [&](std::size_t block) {
-    const std::size_t last = std::min((block + 1) * kBlock, count);
-    for (std::size_t i = block * kBlock; i < last; ++i) partial[block] += value(i);
+    const std::size_t last = std::min((block + 1) * kSumBlock, count);
+    for (std::size_t i = block * kSumBlock; i < last; ++i) partial[block] += value(i);
   });
   return sumOf(partial);
 }

@@ -12,7 +12,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kBlock = 1 << 13;
+constexpr std::size_t kSectorBlock = 1 << 13;
 
 /// Edge vectors of a corner: to the next and to the previous vertex of the triangle.
 struct Corner {
@@ -130,7 +130,7 @@ SectorNormals computeSectorNormals(const Mesh& mesh, std::span<const std::uint8_
   const auto isSplit = [&](Index vertex) {
     return sharpCount[vertex] >= 2 || (sharpCount[vertex] == 1 && isBorder(vertex));
   };
-  parallelBlocks(vertices, kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(vertices, kSectorBlock, [&](std::size_t begin, std::size_t end) {
     std::vector<Index> fan;
     for (std::size_t i = begin; i < end; ++i) {
       const Index vertex = static_cast<Index>(i);
@@ -156,7 +156,7 @@ CornerNormals computeCornerNormals(const Mesh& mesh, double sharpAngle) {
   const SectorNormals sectors = computeSectorNormals(mesh, findSharpSides(mesh, sharpAngle));
   CornerNormals out;
   out.normal.resize(3 * mesh.triangleCount());
-  parallelBlocks(out.normal.size(), 3 * kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(out.normal.size(), 3 * kSectorBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       out.normal[s] = glm::vec3(sectors.at(mesh, static_cast<Index>(s)));
     }

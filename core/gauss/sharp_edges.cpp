@@ -11,7 +11,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kBlock = 1 << 14;
+constexpr std::size_t kEdgeBlock = 1 << 14;
 
 /// Normals by their angle; the arc tangent decides only where the cosine is too close to call.
 bool differsByMore(const glm::dvec3& a, const glm::dvec3& b, double angle, double cosine) {
@@ -29,7 +29,7 @@ std::vector<std::uint8_t> findSharpSides(const Mesh& mesh, double sharpAngle) {
   if (sharpAngle >= 180) return sharp;
   std::vector<glm::dvec3> normal(count);
   const auto positions = mesh.positions();
-  parallelBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(count, kEdgeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       if (mesh.degenerate(static_cast<Index>(t))) continue;
       const auto& v = mesh.triangles()[t];
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> findSharpSides(const Mesh& mesh, double sharpAngle) {
   const double angle = sharpAngle * std::numbers::pi / 180;
   const double cosine = std::cos(angle);
   const auto opposite = mesh.opposite();
-  parallelBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(count, kEdgeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       if (mesh.degenerate(static_cast<Index>(t))) continue;
       for (std::size_t s = 3 * t; s < 3 * t + 3; ++s) {

@@ -10,7 +10,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kBlock = 1 << 14;
+constexpr std::size_t kCopyBlock = 1 << 14;
 
 void check(const ChartedMesh& m) {
   CF_CHECK(m.label.size() == m.mesh.faceCount());
@@ -120,7 +120,7 @@ ChartPlaces chartPlaces(const ChartedMesh& m) {
     out.dropped.resize(input.faceCount());
     for (std::size_t f = 0; f < meshFace.size(); ++f) out.dropped[f] = meshFace[f] == kNone;
   }
-  parallelBlocks(input.faceCount(), kBlock, [&](std::size_t first, std::size_t last) {
+  parallelBlocks(input.faceCount(), kCopyBlock, [&](std::size_t first, std::size_t last) {
     for (std::size_t f = first; f < last; ++f) {
       const Index face = meshFace.empty() ? static_cast<Index>(f) : meshFace[f];
       if (face == kNone || m.label[face] == kNone) continue;

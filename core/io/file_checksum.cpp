@@ -13,7 +13,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 20;  // bytes, a multiple of 8
+constexpr std::size_t kChecksumBlock = std::size_t{1} << 20;  // bytes, a multiple of 8
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
   // Odd constants of the splitmix generator; the rotation brings high bits back to the low end.
@@ -27,10 +27,10 @@ std::string fileChecksum(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return "";
   std::ifstream stream(file, std::ios::binary);
-  std::vector<char> block(kBlock);
+  std::vector<char> block(kChecksumBlock);
   std::uint64_t hash = 0, bytes = 0;
   while (stream) {
-    stream.read(block.data(), static_cast<std::streamsize>(kBlock));
+    stream.read(block.data(), static_cast<std::streamsize>(kChecksumBlock));
     const auto count = static_cast<std::size_t>(stream.gcount());
     bytes += count;
     for (std::size_t i = 0; i < count; i += 8) {

@@ -9,6 +9,7 @@
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
 
+#include "core/base/counted.h"
 #include "core/io/face_builder.h"
 #include "core/io/weld.h"
 

@@ -17,6 +17,7 @@
 #include <glm/mat4x4.hpp>
 #include <tiny_gltf.h>
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/io/face_builder.h"
 #include "core/io/file_bytes.h"

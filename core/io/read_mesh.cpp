@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/read_assimp.h"
@@ -25,7 +26,7 @@ namespace {
 
 constexpr std::size_t kOwnFormats = 6;
 
-constexpr std::array<MeshFormat, 20> kFormats = {{
+constexpr std::array<MeshFormat, 20> kReadable = {{
     {"obj", "Wavefront OBJ"},
     {"ply", "Stanford PLY"},
     {"off", "Object File Format"},
@@ -86,7 +87,7 @@ std::string_view formatOfContent(std::string_view bytes) {
 
 std::string supportedList() {
   std::string text;
-  for (const MeshFormat& format : kFormats) {
+  for (const MeshFormat& format : kReadable) {
     if (!text.empty()) text += ", ";
     text.append(".").append(format.extension);
   }
@@ -96,17 +97,17 @@ std::string supportedList() {
 std::string formatOf(const std::filesystem::path& file, const Source& source) {
   const std::string dotted = lowered(file.extension().string());
   std::string extension = dotted.empty() ? dotted : dotted.substr(1);
-  const auto known = std::find_if(kFormats.begin(), kFormats.end(), [&](const MeshFormat& format) {
-    return extension == format.extension;
-  });
+  const auto known =
+      std::find_if(kReadable.begin(), kReadable.end(),
+                   [&](const MeshFormat& format) { return extension == format.extension; });
   const std::string_view content = formatOfContent(source.bytes);
-  if (known == kFormats.end()) {
+  if (known == kReadable.end()) {
     if (!content.empty()) return std::string(content);
     source.fail("its format is not known; supported are " + supportedList());
   }
   // Only formats with an unmistakable beginning: OBJ and STL readers take nearly anything.
   const bool certain = content == "ply" || content == "off" || content == "glb";
-  const bool own = known - kFormats.begin() < static_cast<std::ptrdiff_t>(kOwnFormats);
+  const bool own = known - kReadable.begin() < static_cast<std::ptrdiff_t>(kOwnFormats);
   const bool same = content == extension || (content == "glb" && extension == "gltf");
   if (certain && own && !same) {
     source.fail("its content is of the format ." + std::string(content) +
@@ -140,7 +141,7 @@ void joinUnsharedFaces(InputMesh& mesh) {
 
 }  // namespace
 
-std::span<const MeshFormat> meshFormats() { return kFormats; }
+std::span<const MeshFormat> meshFormats() { return kReadable; }
 
 std::shared_ptr<const InputMesh> readMesh(const std::filesystem::path& file, Progress* progress) {
   if (progress != nullptr) progress->beginPhase("Reading");

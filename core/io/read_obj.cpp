@@ -6,6 +6,7 @@
 #include <cstring>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "core/io/face_builder.h"
 #include "core/io/parse_number.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "core/io/face_builder.h"
 #include "core/io/text_rows.h"
 

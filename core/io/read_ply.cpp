@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/io/ply_elements.h"
 
 namespace chartflood {

@@ -13,7 +13,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "byte orders below assume it");
 
-constexpr std::size_t kBlock = 1 << 12;  ///< rows between two reports; fits the nearest cache
+constexpr std::size_t kRowBlock = 1 << 12;  ///< rows between two reports; fits the nearest cache
 
 /// One value of the file.
 template <class T, bool swapped>
@@ -120,9 +120,9 @@ void BinaryReader::failVertex(std::int64_t vertex) const {
 bool BinaryReader::readPlainVertices(const PlyElement& element) {
   const PlyAxes axes = plyAxes(source_, element);
   mesh_.positions.resize(element.count);
-  for (std::size_t begin = 0; begin < element.count; begin += kBlock) {
+  for (std::size_t begin = 0; begin < element.count; begin += kRowBlock) {
     if (source_.report(p_)) return false;
-    const std::size_t end = std::min(begin + kBlock, element.count);
+    const std::size_t end = std::min(begin + kRowBlock, element.count);
     for (std::size_t axis = 0; axis < 3; ++axis) readAxis(element, axes[axis], axis, begin, end);
     p_ += element.smallestRow() * (end - begin);
   }
@@ -172,7 +172,7 @@ bool BinaryReader::readListRows(const PlyElement& element, std::size_t before, s
   std::size_t row = 0;
   if (!readTriangleRows<Count, Entry, isSwapped>(element, before, after, row)) return false;
   for (; row < element.count; ++row) {
-    if (row % kBlock == 0 && source_.report(p_)) return false;
+    if (row % kRowBlock == 0 && source_.report(p_)) return false;
     require(before + sizeof(Count));
     const Count written = load<Count, isSwapped>(p_ + before);
     if (written < 0) source_.failAtByte(p_, "this face has a negative number of corners");
@@ -204,7 +204,7 @@ bool BinaryReader::readTriangleRows(const PlyElement& element, std::size_t befor
   bool triangle = true;
   for (row = 0; row < most && triangle;) {
     if (source_.report(p_)) return false;
-    const std::size_t end = std::min(row + kBlock, most);
+    const std::size_t end = std::min(row + kRowBlock, most);
     for (; row < end; ++row, p_ += size, out += 3) {
       if (load<Count, isSwapped>(p_ + before) != 3) {
         triangle = false;
@@ -231,7 +231,7 @@ bool BinaryReader::readAnyRows(const PlyElement& element) {
   const PlyAxes axes = vertices ? plyAxes(source_, element) : PlyAxes{none, none, none};
   const std::size_t indexColumn = plyHoldsFaces(element) ? plyIndexColumn(source_, element) : none;
   for (std::size_t row = 0; row < element.count; ++row) {
-    if (row % kBlock == 0 && source_.report(p_)) return false;
+    if (row % kRowBlock == 0 && source_.report(p_)) return false;
     if (vertices) mesh_.positions.emplace_back(0);
     readAnyRow(element, axes, indexColumn);
     if (indexColumn != none) faces_.endRow();

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/io/text_rows.h"
 #include "core/io/weld.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::size_t kHeaderSize = 84;  ///< 80 bytes of text and the count
 constexpr std::size_t kFacetSize = 50;   ///< normal, three corners, two bytes of attributes
-constexpr std::size_t kReportEvery = 1 << 14;
+constexpr std::size_t kFacetsPerReport = 1 << 14;
 
 std::size_t facetCount(std::string_view bytes) {
   std::uint32_t count = 0;
@@ -68,7 +69,7 @@ InputMesh readBinary(const Source& source) {
   mesh.corners.reserve(3 * count);
   const char* p = source.begin() + kHeaderSize;
   for (std::size_t f = 0; f < count; ++f, p += kFacetSize) {
-    if (f % kReportEvery == 0 && source.report(p)) return {};
+    if (f % kFacetsPerReport == 0 && source.report(p)) return {};
     float corners[9];
     std::memcpy(corners, p + 12, sizeof corners);
     for (std::size_t i = 0; i < 9; i += 3) {
@@ -135,7 +136,7 @@ void TextStl::readFacet() {
 bool TextStl::readSolid() {
   rows_.skipLine();  // the name
   for (std::size_t facets = 0;; ++facets) {
-    if (facets % kReportEvery == 0 && source_.report(rows_.position())) return false;
+    if (facets % kFacetsPerReport == 0 && source_.report(rows_.position())) return false;
     const std::string_view word = rows_.word();
     if (equalsIgnoringCase(word, "facet")) {
       readFacet();

@@ -62,7 +62,7 @@ struct Corners {
 };
 
 /// The rows of an outline between its corners.
-struct Outline {
+struct RocketOutline {
   std::array<Row, kFins> left, edge, right;  ///< root to tip, across the tip, tip to root
   std::array<Row, kFins> body;               ///< from this fin's right root to the next one's left
   std::array<Row, kFins> inner;              ///< right root to left root, below the body
@@ -83,13 +83,13 @@ class Rocket {
 
   Corners corners(double inner, double outer, double height, bool closed);
   Row arc(Index from, Index to, double radius, bool staggered);
-  Outline bodyOutline(double height, double radius, bool staggered);
-  Outline legOutline(double height, bool staggered);
-  void fillSides(Outline& outline, const Corners& c, bool staggered);
-  void makeTail(const Row& nozzleRing, Outline& outline);
-  void makeLegs(Outline outline);
-  void makeFoot(const Outline& outline, std::size_t fin);
-  Row makeFinned(Outline outline);
+  RocketOutline bodyOutline(double height, double radius, bool staggered);
+  RocketOutline legOutline(double height, bool staggered);
+  void fillSides(RocketOutline& outline, const Corners& c, bool staggered);
+  void makeTail(const Row& nozzleRing, RocketOutline& outline);
+  void makeLegs(RocketOutline outline);
+  void makeFoot(const RocketOutline& outline, std::size_t fin);
+  Row makeFinned(RocketOutline outline);
   void makeUpper(Row ring);
 
   SampleSurface s_;
@@ -141,17 +141,17 @@ Row Rocket::arc(Index from, Index to, double radius, bool staggered) {
   });
 }
 
-void Rocket::fillSides(Outline& outline, const Corners& c, bool staggered) {
+void Rocket::fillSides(RocketOutline& outline, const Corners& c, bool staggered) {
   for (std::size_t fin = 0; fin < kFins; ++fin) {
     outline.left[fin] = s_.line(c.rootLeft[fin], c.tipLeft[fin], staggered);
     outline.right[fin] = s_.line(c.tipRight[fin], c.rootRight[fin], staggered);
   }
 }
 
-Outline Rocket::bodyOutline(double height, double radius, bool staggered) {
+RocketOutline Rocket::bodyOutline(double height, double radius, bool staggered) {
   const bool top = height >= kFinTop - 1e-9;
   const Corners c = corners(radius, outerRadius(height), height, top);
-  Outline outline;
+  RocketOutline outline;
   fillSides(outline, c, staggered);
   for (std::size_t fin = 0; fin < kFins; ++fin) {
     outline.body[fin] = arc(c.rootRight[fin], c.rootLeft[(fin + 1) % kFins], radius, staggered);
@@ -161,9 +161,9 @@ Outline Rocket::bodyOutline(double height, double radius, bool staggered) {
   return outline;
 }
 
-Outline Rocket::legOutline(double height, bool staggered) {
+RocketOutline Rocket::legOutline(double height, bool staggered) {
   const Corners c = corners(innerRadius(height), outerRadius(height), height, false);
-  Outline outline;
+  RocketOutline outline;
   fillSides(outline, c, staggered);
   for (std::size_t fin = 0; fin < kFins; ++fin) {
     outline.edge[fin] = s_.line(c.tipLeft[fin], c.tipRight[fin], false);
@@ -175,7 +175,7 @@ Outline Rocket::legOutline(double height, bool staggered) {
 }
 
 /// The flat end of the body around the nozzle; its outer ring also begins the legs.
-void Rocket::makeTail(const Row& nozzleRing, Outline& outline) {
+void Rocket::makeTail(const Row& nozzleRing, RocketOutline& outline) {
   Row rim;
   for (std::size_t fin = 0; fin < kFins; ++fin) {
     const Index right = outline.body[fin].front();
@@ -189,7 +189,7 @@ void Rocket::makeTail(const Row& nozzleRing, Outline& outline) {
   s_.revolveOnto(nozzleRing, straight({inner, 0}, {belly(0).x, 0}), rim);
 }
 
-void Rocket::makeFoot(const Outline& outline, std::size_t fin) {
+void Rocket::makeFoot(const RocketOutline& outline, std::size_t fin) {
   const Row& edge = outline.edge[fin];
   Row inner(outline.inner[fin].rbegin(), outline.inner[fin].rend());
   Row right(outline.right[fin].rbegin(), outline.right[fin].rend());
@@ -203,11 +203,11 @@ void Rocket::makeFoot(const Outline& outline, std::size_t fin) {
   s_.zip(right, last);
 }
 
-void Rocket::makeLegs(Outline outline) {
+void Rocket::makeLegs(RocketOutline outline) {
   const std::size_t rows = s_.rowsFor(-kFinFoot * 1.25);
   for (std::size_t i = 1; i <= rows; ++i) {
     const double height = kFinFoot * static_cast<double>(i) / static_cast<double>(rows);
-    Outline next = legOutline(height, i % 2 == 1);
+    RocketOutline next = legOutline(height, i % 2 == 1);
     for (std::size_t fin = 0; fin < kFins; ++fin) {
       s_.zip(next.left[fin], outline.left[fin]);
       s_.zip(next.edge[fin], outline.edge[fin]);
@@ -220,14 +220,14 @@ void Rocket::makeLegs(Outline outline) {
 }
 
 /// The body with its fins, from the tail to their top. \returns the ring there
-Row Rocket::makeFinned(Outline outline) {
+Row Rocket::makeFinned(RocketOutline outline) {
   const double end = bellyAt(kFinTop);
   const Profile part = [&](double t) { return belly(t * end); };
   const std::vector<double> steps = equalSteps(part, s_.rowsFor(lengthOf(part)));
   for (std::size_t i = 1; i < steps.size(); ++i) {
     const glm::dvec2 p = part(steps[i]);
     const bool last = i + 1 == steps.size();
-    Outline next = bodyOutline(last ? kFinTop : p.y, p.x, i % 2 == 1);
+    RocketOutline next = bodyOutline(last ? kFinTop : p.y, p.x, i % 2 == 1);
     for (std::size_t fin = 0; fin < kFins; ++fin) {
       s_.zip(outline.left[fin], next.left[fin]);
       s_.zip(outline.edge[fin], next.edge[fin]);
@@ -257,7 +257,7 @@ InputMesh Rocket::make() {
   ring = s_.revolve(ring, bezier({0, -0.06}, {0.09, -0.06}, {0.2, -0.2}, {0.25, -0.42}));
   ring = s_.revolve(ring, straight({0.25, -0.42}, {0.31, -0.42}));
   ring = s_.revolve(ring, bezier({0.31, -0.42}, {0.27, -0.2}, {0.2, -0.1}, {0.17, 0}));
-  Outline tail = bodyOutline(0, 0.34, false);
+  RocketOutline tail = bodyOutline(0, 0.34, false);
   makeTail(ring, tail);
   makeLegs(tail);
   makeUpper(makeFinned(tail));

@@ -62,8 +62,4 @@ std::string quotedWord(const char* begin, const char* end) {
   return text;
 }
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 }  // namespace chartflood

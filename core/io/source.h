@@ -35,7 +35,4 @@ struct Source {
 /// The word at a place of a text, in quotes, shortened and with unprintable bytes replaced.
 std::string quotedWord(const char* begin, const char* end);
 
-/// "1 face", "2 faces".
-std::string counted(std::size_t count, const char* one, const char* many);
-
 }  // namespace chartflood

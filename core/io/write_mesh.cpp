@@ -11,7 +11,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::array<MeshFormat, 3> kFormats = {{
+constexpr std::array<MeshFormat, 3> kWritten = {{
     {"obj", "Wavefront OBJ"},
     {"ply", "Stanford PLY"},
     {"glb", "glTF binary"},
@@ -27,11 +27,11 @@ std::string extensionOf(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::span<const MeshFormat> meshWriteFormats() { return kFormats; }
+std::span<const MeshFormat> meshWriteFormats() { return kWritten; }
 
 bool canWriteMesh(const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);
-  return std::any_of(kFormats.begin(), kFormats.end(),
+  return std::any_of(kWritten.begin(), kWritten.end(),
                      [&](const MeshFormat& format) { return extension == format.extension; });
 }
 

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/check.h"
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
@@ -16,7 +17,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kBlock = 1 << 14;
+constexpr std::size_t kMeshBlock = 1 << 14;
 
 /// What gluing found, counted for the import report.
 struct Findings {
@@ -140,7 +141,7 @@ void normalise(const InputMesh& input, MeshData& d) {
     d.scale = largest > 0 ? largest : 1.0;
   }
   d.positions.resize(count);
-  parallelBlocks(count, kBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(count, kMeshBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       d.positions[v] = used[v] ? (input.positions[v] - d.center) / d.scale : glm::dvec3(0);
     }
@@ -178,11 +179,11 @@ void glueEdges(MeshData& d, std::size_t vertexCount, Findings& found) {
   const auto less = [](const Entry& x, const Entry& y) {
     return x.larger != y.larger ? x.larger < y.larger : x.side < y.side;
   };
-  const std::size_t blocks = (vertexCount + kBlock - 1) / kBlock;
+  const std::size_t blocks = (vertexCount + kMeshBlock - 1) / kMeshBlock;
   std::vector<std::array<std::size_t, 3>> counts(blocks, {0, 0, 0});
   parallelFor(blocks, [&](std::size_t block) {
-    const std::size_t last = std::min((block + 1) * kBlock, vertexCount);
-    for (std::size_t v = block * kBlock; v < last; ++v) {
+    const std::size_t last = std::min((block + 1) * kMeshBlock, vertexCount);
+    for (std::size_t v = block * kMeshBlock; v < last; ++v) {
       Entry* const begin = entries.data() + start[v];
       Entry* const end = entries.data() + start[v + 1];
       std::sort(begin, end, less);
@@ -313,10 +314,6 @@ void countEdgesAndLoops(MeshData& d) {
     }
   }
   d.edgeCount = (sides + borders) / 2;
-}
-
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
 void report(const Findings& found, std::size_t isolated, MeshData& d) {

@@ -7,13 +7,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/cross.h"
 #include "core/charts/chart_surface.h"
 
 namespace chartflood {
 
 namespace {
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 double doubleArea(const ChartSurface& surface, const std::vector<glm::dvec2>& uv, Index t) {
   const auto& [a, b, c] = surface.triangles[t];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/cross.h"
+
 namespace chartflood {
 
 namespace {
@@ -12,7 +14,6 @@ using Point = glm::dvec2;
 /// How far charts that overlap are pushed at once, texture units.
 constexpr double kOverlapPush = 0.002;
 
-double cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 double largerAxis(const Point& d) { return std::max(std::abs(d.x), std::abs(d.y)); }
 
 /// The way from a point to the nearest point of a segment in the norm of the larger axis.

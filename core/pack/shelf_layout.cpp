@@ -14,12 +14,12 @@ namespace chartflood {
 namespace {
 
 /// A chart turned upright.
-struct Box {
+struct TurnedBox {
   double angle = 0;
   glm::dvec2 low{0}, size{0};  ///< of the turned points' bounding box
 };
 
-Box boxAt(const std::vector<glm::dvec2>& hull, double angle) {
+TurnedBox boxAt(const std::vector<glm::dvec2>& hull, double angle) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double c = std::cos(angle), s = std::sin(angle);
   glm::dvec2 low(inf), high(-inf);
@@ -32,20 +32,20 @@ Box boxAt(const std::vector<glm::dvec2>& hull, double angle) {
 }
 
 /// The box of the least area has a side along the hull.
-Box smallestBox(const std::vector<glm::dvec2>& hull) {
-  Box best = boxAt(hull, 0);
+TurnedBox smallestBox(const std::vector<glm::dvec2>& hull) {
+  TurnedBox best = boxAt(hull, 0);
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const glm::dvec2 along = hull[(i + 1) % hull.size()] - hull[i];
     if (along == glm::dvec2(0)) continue;
-    const Box box = boxAt(hull, -std::atan2(along.y, along.x));
+    const TurnedBox box = boxAt(hull, -std::atan2(along.y, along.x));
     if (box.size.x * box.size.y < best.size.x * best.size.y) best = box;
   }
   return best.size.x >= best.size.y ? best : boxAt(hull, best.angle + std::numbers::pi / 2);
 }
 
 /// Lower left corners of the boxes at this scale, in the order given; false when they do not fit.
-bool putOnShelves(std::span<const Box> boxes, std::span<const std::size_t> order, double scale,
-                  const PackGaps& gaps, std::vector<glm::dvec2>& corners) {
+bool putOnShelves(std::span<const TurnedBox> boxes, std::span<const std::size_t> order,
+                  double scale, const PackGaps& gaps, std::vector<glm::dvec2>& corners) {
   const double end = 1 - gaps.border;
   double x = gaps.border, top = end, height = 0;
   for (const std::size_t i : order) {
@@ -67,7 +67,7 @@ bool putOnShelves(std::span<const Box> boxes, std::span<const std::size_t> order
 
 std::vector<Placement> shelfLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
                                    double leastScale) {
-  std::vector<Box> boxes;
+  std::vector<TurnedBox> boxes;
   double longest = 0;
   for (const ChartOutline& outline : outlines) {
     boxes.push_back(smallestBox(outline.hull));

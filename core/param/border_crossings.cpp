@@ -17,8 +17,8 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-bool cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d,
-           Contact contact) {
+bool segmentsCross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c,
+                   const glm::dvec2& d, Contact contact) {
   const double abc = turn(a, b, c), abd = turn(a, b, d), cda = turn(c, d, a), cdb = turn(c, d, b);
   if (abc * abd > 0 || cda * cdb > 0) return false;
   if (contact == Contact::Any) {
@@ -39,9 +39,9 @@ double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dv
 }
 
 /// Square cells over the boundary, each with the segments whose box it meets.
-class Grid {
+class SegmentGrid {
  public:
-  Grid(std::span<const Index> loop, std::span<const glm::dvec2> uv) : loop_(loop), uv_(uv) {
+  SegmentGrid(std::span<const Index> loop, std::span<const glm::dvec2> uv) : loop_(loop), uv_(uv) {
     low_ = glm::dvec2(uv[loop[0]]);
     glm::dvec2 high = low_;
     double length = 0;
@@ -109,7 +109,7 @@ bool findCrossings(std::span<const Index> loop, std::span<const glm::dvec2> uv, 
                    std::vector<bool>& crossing) {
   crossing.assign(loop.size(), false);
   if (loop.size() < 4) return false;
-  const Grid grid(loop, uv);
+  const SegmentGrid grid(loop, uv);
   bool any = false;
   for (std::size_t c = 0; c < grid.size(); ++c) {
     const auto cell = grid.cell(c);
@@ -117,7 +117,8 @@ bool findCrossings(std::span<const Index> loop, std::span<const glm::dvec2> uv, 
       for (std::size_t j = i + 1; j < cell.size(); ++j) {
         const Index a = cell[i], b = cell[j];  // ascending
         if (b - a == 1 || (a == 0 && b + 1 == loop.size())) continue;
-        if (!cross(grid.start(a), grid.end(a), grid.start(b), grid.end(b), contact)) continue;
+        if (!segmentsCross(grid.start(a), grid.end(a), grid.start(b), grid.end(b), contact))
+          continue;
         crossing[a] = crossing[b] = any = true;
       }
     }
@@ -135,7 +136,7 @@ bool findTouches(std::span<const Index> loop, std::span<const glm::dvec2> uv, do
     if (crossing[i]) touching[i] = touching[i + 1 == n ? 0 : i + 1] = true;
   }
   if (n < 4) return any;
-  const Grid grid(loop, uv);
+  const SegmentGrid grid(loop, uv);
   const auto length = [&](std::size_t i) { return glm::distance(grid.start(i), grid.end(i)); };
   const auto test = [&](std::size_t vertex, std::size_t segment) {
     const std::size_t before = vertex == 0 ? n - 1 : vertex - 1;

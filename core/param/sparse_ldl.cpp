@@ -24,11 +24,11 @@ Complex times(const Complex& a, const Complex& b) {
 }
 glm::dmat2 times(const glm::dmat2& a, const glm::dmat2& b) { return a * b; }
 
-glm::dvec2 apply(double a, const glm::dvec2& x) { return a * x; }
-glm::dvec2 apply(const Complex& a, const glm::dvec2& x) {
+glm::dvec2 product(double a, const glm::dvec2& x) { return a * x; }
+glm::dvec2 product(const Complex& a, const glm::dvec2& x) {
   return {a.real() * x.x - a.imag() * x.y, a.real() * x.y + a.imag() * x.x};
 }
-glm::dvec2 apply(const glm::dmat2& a, const glm::dvec2& x) { return a * x; }
+glm::dvec2 product(const glm::dmat2& a, const glm::dvec2& x) { return a * x; }
 
 // A number that an entry counts for when it is made larger.
 double sizeOf(double a) { return a; }
@@ -143,14 +143,14 @@ void SparseLdl<Entry>::solve(std::span<glm::dvec2> x) {
   for (std::size_t j = 0; j < x.size(); ++j) {
     const glm::dvec2 y = permuted_[j];
     for (std::size_t e = p.factorStart[j]; e < p.factorStart[j + 1]; ++e) {
-      permuted_[factorRow_[e]] -= apply(factor_[e], y);
+      permuted_[factorRow_[e]] -= product(factor_[e], y);
     }
-    permuted_[j] = apply(inverse_[j], y);
+    permuted_[j] = product(inverse_[j], y);
   }
   for (std::size_t j = x.size(); j-- > 0;) {
     glm::dvec2 y = permuted_[j];
     for (std::size_t e = p.factorStart[j]; e < p.factorStart[j + 1]; ++e) {
-      y -= apply(adjoint(factor_[e]), permuted_[factorRow_[e]]);
+      y -= product(adjoint(factor_[e]), permuted_[factorRow_[e]]);
     }
     permuted_[j] = y;
   }

@@ -12,8 +12,8 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kAreaFloor = 1e-10;  // of the mean area of a triangle in the plane
-constexpr double kLargest = 1e15;     // where a ratio of a vanishing triangle ends
+constexpr double kAreaFloor = 1e-10;    // of the mean area of a triangle in the plane
+constexpr double kLargestRatio = 1e15;  // where a ratio of a vanishing triangle ends
 
 double spaceArea(const ChartSurface& surface, std::size_t triangle) {
   const auto& t = surface.triangles[triangle];
@@ -32,14 +32,14 @@ bool hasShape(const ChartSurface& surface, std::size_t triangle, double area) {
 }
 
 /// Areas of the chart that its triangles are compared with.
-struct ChartAreas {
+struct ComparedAreas {
   double space = 0;        // of the surface
   double plane = 0;        // sum of the absolute areas
   bool clockwise = false;  // most of the plane area is
 };
 
-ChartAreas chartAreas(const ChartSurface& surface, std::span<const glm::dvec2> uv) {
-  ChartAreas areas;
+ComparedAreas chartAreas(const ChartSurface& surface, std::span<const glm::dvec2> uv) {
+  ComparedAreas areas;
   std::ptrdiff_t majority = 0;
   for (std::size_t t = 0; t < surface.triangleCount(); ++t) {
     const auto& v = surface.triangles[t];
@@ -69,10 +69,10 @@ TriangleDistortion distortionOf(const std::array<glm::dvec3, 3>& q,
   const double difference = std::sqrt(std::max(0.0, a + c - 2 * product));
   const double largest = 0.5 * (sum + difference);
   TriangleDistortion d;
-  d.l2 = std::min(std::sqrt(0.5 * (a + c) * factor), kLargest);
-  d.linf = std::min(largest * std::sqrt(factor), kLargest);
-  d.areaRatio = std::clamp(1 / (product * factor), 1 / kLargest, kLargest);
-  d.angle = std::min(largest * largest / product, kLargest);
+  d.l2 = std::min(std::sqrt(0.5 * (a + c) * factor), kLargestRatio);
+  d.linf = std::min(largest * std::sqrt(factor), kLargestRatio);
+  d.areaRatio = std::clamp(1 / (product * factor), 1 / kLargestRatio, kLargestRatio);
+  d.angle = std::min(largest * largest / product, kLargestRatio);
   return d;
 }
 
@@ -87,7 +87,7 @@ double surfaceArea(const ChartSurface& surface) {
 std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
                                                    std::span<const glm::dvec2> uv) {
   std::vector<TriangleDistortion> result(surface.triangleCount());
-  const ChartAreas areas = chartAreas(surface, uv);
+  const ComparedAreas areas = chartAreas(surface, uv);
   const double count = static_cast<double>(surface.triangleCount());
   const double least = kAreaFloor * areas.plane / count;
   const double factor = areas.plane / areas.space;

@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::size_t kMostCells = 1024;  // a side of the grid
 
-struct Box {
+struct UvBox {
   glm::dvec2 low, high;
 };
 
-Box boxOf(const PlaneTriangle& t) {
+UvBox boxOf(const PlaneTriangle& t) {
   return {glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2])};
 }
 
@@ -52,9 +52,9 @@ bool parts(const PlaneTriangle& a, const PlaneTriangle& b, double least) {
 }
 
 /// Cells of a box, both ends included.
-class Grid {
+class TriangleGrid {
  public:
-  Grid(const Box& all, std::size_t triangles) : low_(all.low) {
+  TriangleGrid(const UvBox& all, std::size_t triangles) : low_(all.low) {
     const double size = std::max(all.high.x - all.low.x, all.high.y - all.low.y);
     side_ = std::clamp<std::size_t>(
         static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles))), 1, kMostCells);
@@ -69,7 +69,7 @@ class Grid {
   std::size_t row(const glm::dvec2& p) const { return cell(p.y, low_.y); }
 
   template <typename Visit>
-  void eachCell(const Box& box, Visit&& visit) const {
+  void eachCell(const UvBox& box, Visit&& visit) const {
     for (std::size_t y = row(box.low); y <= row(box.high); ++y) {
       for (std::size_t x = column(box.low); x <= column(box.high); ++x) visit(y * side_ + x);
     }
@@ -86,15 +86,15 @@ class Grid {
 std::vector<bool> findOverlaps(std::span<const PlaneTriangle> triangles, double least) {
   std::vector<bool> found(triangles.size(), false);
   std::vector<Index> thick;
-  Box all{glm::dvec2(1e300), glm::dvec2(-1e300)};
+  UvBox all{glm::dvec2(1e300), glm::dvec2(-1e300)};
   for (Index t = 0; t < triangles.size(); ++t) {
     if (!(heightOf(triangles[t]) > least)) continue;
     thick.push_back(t);
-    const Box box = boxOf(triangles[t]);
+    const UvBox box = boxOf(triangles[t]);
     all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
   }
   if (thick.size() < 2) return found;
-  const Grid grid(all, thick.size());
+  const TriangleGrid grid(all, thick.size());
   // Triangles of each cell, cell after cell.
   std::vector<std::size_t> first(grid.side() * grid.side() + 1, 0);
   for (const Index t : thick) {

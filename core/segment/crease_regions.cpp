@@ -21,7 +21,7 @@ namespace {
 constexpr double kSmallest = 0.002;  // share of the surface that a region needs
 // Of a model that creases divide:
 constexpr std::size_t kFewest = 4;      // parts
-constexpr double kLargest = 0.6;        // share of the largest part
+constexpr double kLargestShare = 0.6;   // share of the largest part
 constexpr double kLargestCurved = 0.4;  // the same where that is curved
 constexpr double kInLarge = 0.95;       // share of the surface in parts that are not small
 
@@ -133,7 +133,7 @@ bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss) {
   double large = 0;
   for (Index r = 0; r < parts.count; ++r) {
     const bool soft = curved[r] > std::numbers::pi;
-    if (area[r] > (soft ? kLargestCurved : kLargest) * surface) return false;
+    if (area[r] > (soft ? kLargestCurved : kLargestShare) * surface) return false;
     if (area[r] >= kSmallest * surface) large += area[r];
   }
   double length = 0, between = 0;

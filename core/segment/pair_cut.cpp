@@ -12,16 +12,14 @@ namespace chartflood {
 namespace {
 
 constexpr std::size_t kPrices = 7;
-constexpr double kFine = 1e9;   // whole numbers a unit of energy
-constexpr double kMost = 1e15;  // of one amount: sums stay below the largest number
-constexpr double kGain = 1e-9;  // least fall of energy that counts
+constexpr double kFine = 1e9;        // whole numbers a unit of energy
+constexpr double kMost = 1e15;       // of one amount: sums stay below the largest number
+constexpr double kLeastFall = 1e-9;  // least fall of energy that counts
 constexpr double kNoDistance = std::numeric_limits<double>::infinity();
 
 MaxFlow::Amount amountOf(double energy) {
   return static_cast<MaxFlow::Amount>(std::llround(std::clamp(energy * kFine, -kMost, kMost)));
 }
-
-int defect(int euler) { return std::max(0, 1 - euler); }
 
 }  // namespace
 
@@ -300,7 +298,7 @@ bool PairCut::choose() {
     Candidate* best = nullptr;
     for (std::size_t i = 0; i < candidateCount_; ++i) {
       Candidate& candidate = candidates_[i];
-      if (!(candidate.figures.energy < -kGain) || !allowed(candidate.figures)) continue;
+      if (!(candidate.figures.energy < -kLeastFall) || !allowed(candidate.figures)) continue;
       if (best == nullptr || candidate.figures.energy < best->figures.energy) best = &candidate;
     }
     if (best == nullptr) return false;
@@ -330,7 +328,8 @@ bool PairCut::staysWhole(std::span<const std::uint8_t> inA) {
 bool PairCut::allowed(const Figures& after) const {
   const SeamChart& a = state_->charts[a_];
   const SeamChart& b = state_->charts[b_];
-  return defect(after.a.euler) + defect(after.b.euler) <= defect(a.euler) + defect(b.euler) &&
+  return diskDefect(after.a.euler) + diskDefect(after.b.euler) <=
+             diskDefect(a.euler) + diskDefect(b.euler) &&
          after.a.area >= std::min(state_->leastArea, a.area) &&
          after.b.area >= std::min(state_->leastArea, b.area);
 }

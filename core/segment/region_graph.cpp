@@ -25,8 +25,6 @@ double bendAt(const Mesh& mesh, Index side) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-int defect(int euler) { return std::max(0, 1 - euler); }
-
 }  // namespace
 
 RegionGraph::RegionGraph(const Mesh& mesh, std::span<const Index> label, std::size_t regions)
@@ -64,7 +62,8 @@ int RegionGraph::eulerOfBoth(Index a, Index b, const Border& border) const {
 }
 
 double RegionGraph::score(Index a, Index b, const Border& border) const {
-  const int growth = defect(eulerOfBoth(a, b, border)) - defect(euler_[a]) - defect(euler_[b]);
+  const int growth =
+      diskDefect(eulerOfBoth(a, b, border)) - diskDefect(euler_[a]) - diskDefect(euler_[b]);
   const double bend = border.length > 0 ? border.bend / border.length : 0;
   return border.length / std::sqrt(surface_) - 4 * std::min(area_[a], area_[b]) / surface_ -
          0.4 * growth - 0.3 * bend;

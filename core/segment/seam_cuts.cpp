@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kSweeps = 5;     // at most, a stage
 constexpr std::size_t kTogether = 16;  // pairs cut at the same time
 constexpr double kLeastArea = 0.1;     // of the mean chart's
-constexpr double kGain = 1e-9;
+constexpr double kLeastGain = 1e-9;
 /// The bandwidth of the last stage from this many faces on: a narrower band does as well there.
 constexpr std::size_t kManyFaces = 400000;
 
@@ -237,7 +237,7 @@ class SeamCuts::Engine {
     after.add(cut.chartA().value);
     after.add(cut.chartB().value);
     const double change = cut.lengthChange() * state_.unit + after.energy() - balance_.energy();
-    if (!(change < -kGain)) return;
+    if (!(change < -kLeastGain)) return;
     balance_ = after;
     static_cast<SeamSums&>(chartA) = cut.chartA();
     static_cast<SeamSums&>(chartB) = cut.chartB();

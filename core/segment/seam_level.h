@@ -14,6 +14,9 @@
 
 namespace chartflood {
 
+/// How far a chart of that Euler number is from a disk, whose number is 1.
+inline int diskDefect(int euler) { return euler < 1 ? 1 - euler : 0; }
+
 /// What a mesh holds per face, side and vertex; made once.
 struct SeamTables {
   std::vector<double> sideLength;   ///< of each side, normalised units, as seams count it

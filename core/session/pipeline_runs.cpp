@@ -13,7 +13,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr int kMostCharts = 512;
+constexpr int kMostRunCharts = 512;
 
 /// The largest generator seed that the parameter may have.
 int largestSeed() { return static_cast<int>(findParameter("rng-seed")->hardMax); }
@@ -22,7 +22,7 @@ int largestSeed() { return static_cast<int>(findParameter("rng-seed")->hardMax);
 /// number of threads.
 std::vector<std::vector<int>> ladder(int least, int most) {
   std::vector<std::vector<int>> batches = {{1, 2, 3, 4}};
-  for (int k = 6; k <= kMostCharts; k *= 4) batches.push_back({k, k * 4 / 3, 2 * k, k * 8 / 3});
+  for (int k = 6; k <= kMostRunCharts; k *= 4) batches.push_back({k, k * 4 / 3, 2 * k, k * 8 / 3});
   for (std::vector<int>& batch : batches) {
     std::erase_if(batch, [&](int k) { return k < least || k > most; });
   }
@@ -151,7 +151,7 @@ bool Pipeline::findChartCount(Progress& progress) {
     return true;
   };
   const auto fits = [&] { return set->runs[set->chosen].stretch <= limit; };
-  const int most = static_cast<int>(std::min<std::size_t>(mesh_->faceCount(), kMostCharts));
+  const int most = static_cast<int>(std::min<std::size_t>(mesh_->faceCount(), kMostRunCharts));
   for (const auto& batch : ladder(static_cast<int>(mesh_->componentCount()), most)) {
     if (!tryAll(batch)) return false;
     if (fits()) break;

@@ -11,7 +11,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr float kWidth = 520, kLeastWidth = 240;
+constexpr float kWidth = 520, kLeastBarWidth = 240;
 
 std::string caption(const HandleFilm& film) {
   if (!film.ready()) return "Preparing";
@@ -58,7 +58,7 @@ void handleFilmBar(const Ui& ui, ImVec2 low, ImVec2 high) {
   const HandleFilm& film = ui.state.film;
   if (!film.active()) return;
   const float room = high.x - low.x - ui.px(24);
-  const float width = std::min(ui.px(kWidth), std::max(room, ui.px(kLeastWidth)));
+  const float width = std::min(ui.px(kWidth), std::max(room, ui.px(kLeastBarWidth)));
   ImGui::SetNextWindowPos({std::round((low.x + high.x) / 2), high.y - ui.px(12)}, ImGuiCond_Always,
                           {0.5f, 1});
   ImGui::SetNextWindowSize({width, 0});

@@ -46,12 +46,6 @@ std::optional<ScalarRange> shownRange(const Ui& ui) {
 }
 
 /// The label of a row; the control follows in the right part.
-void rowLabel(const char* words) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(words);
-  ImGui::SameLine(std::round(ImGui::GetWindowContentRegionMax().x * 0.34f));
-}
-
 void gradient(const ColorMap& map, bool inverted, ImVec2 low, ImVec2 size) {
   constexpr int kPieces = 24;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -85,7 +79,7 @@ void mapRow(const Ui& ui) {
   const RenderSettings& render = ui.state.view.render;
   const ColorMap* own = findColorMap(colorModeInfo(render.colorMode).colorMap);
   const ColorMap* chosen = findColorMap(render.colorMap);
-  rowLabel("Colours");
+  rowLabel("Colours", 0.34f);
   ImGui::SetNextItemWidth(-1);
   const bool open =
       ImGui::BeginCombo("##legend-map", chosen == nullptr ? "Automatic" : chosen->label);
@@ -140,7 +134,7 @@ void rangeRows(const Ui& ui) {
   const std::optional<ScalarRange> range = shownRange(ui);
   const std::string hold =
       range ? "legend-range " + numberText(range->min) + ' ' + numberText(range->max) : "";
-  rowLabel("Range");
+  rowLabel("Range", 0.34f);
   const float gap = ui.px(2);
   const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
   const auto button = [&](const char* words, const std::string& line, bool chosen) {
@@ -154,7 +148,7 @@ void rangeRows(const Ui& ui) {
   button("Fixed", hold.empty() ? "legend-range 0 1" : hold, render.range.has_value());
   ui.probe.item("legend/fixed");
   if (!range) return;
-  rowLabel("From, to");
+  rowLabel("From, to", 0.34f);
   const double low = render.range ? render.range->first : range->min;
   const double high = render.range ? render.range->second : range->max;
   const auto set = [&](const std::string& from, const std::string& to) {
@@ -181,7 +175,7 @@ void stepsRow(const Ui& ui) {
   slider.moved = [&](double fraction, bool) { set(fraction); };
   slider.typed = [&](const std::string& text) { ui.run("legend-steps " + quotedArgument(text)); };
   slider.nudged = [&](int direction) { set(slider.fraction + direction / 15.0); };
-  rowLabel("Steps");
+  rowLabel("Steps", 0.34f);
   barSlider(ui, slider, ImGui::GetContentRegionAvail().x);
   tooltip(ui, "legend/steps", "Steps", ui.actions.find("legend-steps")->help);
 }
@@ -206,7 +200,7 @@ void editor(const Ui& ui) {
   ImGui::PopFont();
   mapRow(ui);
   rangeRows(ui);
-  rowLabel("Scale");
+  rowLabel("Scale", 0.34f);
   static constexpr Alternative kScales[] = {{"auto", "legend-scale auto"},
                                             {"linear", "legend-scale linear"},
                                             {"root", "legend-scale root"},

@@ -24,7 +24,7 @@ std::string setLine(const char* key, const std::string& text) {
   return std::string("picture-set ") + key + ' ' + quotedArgument(text);
 }
 
-void rowLabel(const Ui& ui, const char* words) {
+void dialogLabel(const Ui& ui, const char* words) {
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
   ImGui::TextUnformatted(words);
@@ -34,7 +34,7 @@ void rowLabel(const Ui& ui, const char* words) {
 
 /// One of several, as round buttons in a row.
 void choiceRow(const Ui& ui, const char* words, const char* key, Choices choices) {
-  rowLabel(ui, words);
+  dialogLabel(ui, words);
   bool first = true;
   for (const auto& [id, label] : choices) {
     if (!first) ImGui::SameLine(0, ui.px(14));
@@ -75,7 +75,7 @@ void sizeRow(const Ui& ui, const PictureExtent& extent) {
   for (const PictureSizeChoice& each : pictureSizes()) {
     if (settings.size == each.id) label = each.label;
   }
-  rowLabel(ui, "Size");
+  dialogLabel(ui, "Size");
   ImGui::SetNextItemWidth(ui.px(170));
   const bool open = ImGui::BeginCombo("##size", label);
   ui.probe.item("picture/size");
@@ -101,7 +101,7 @@ void sizeRow(const Ui& ui, const PictureExtent& extent) {
 }
 
 void keepRow(const Ui& ui) {
-  rowLabel(ui, "Keep");
+  dialogLabel(ui, "Keep");
   const std::pair<const char*, const char*> helpers[] = {
       {"Colour bar", "legend"}, {"Seeds", "seeds"}, {"Seams", "seams"}, {"Numbers", "numbers"}};
   bool first = true;
@@ -114,7 +114,7 @@ void keepRow(const Ui& ui) {
 
 /// Pictures in a row: how many, and what they show.
 void rowsRow(const Ui& ui) {
-  rowLabel(ui, "In a row");
+  dialogLabel(ui, "In a row");
   textField(ui, "frames", "", ui.px(62), false);
   ImGui::SameLine(0, ui.px(6));
   ImGui::TextUnformatted("pictures");
@@ -165,9 +165,9 @@ void pictureDialog(const Ui& ui) {
                {"black", "Black"},
                {"transparent", "Transparent"}});
     keepRow(ui);
-    rowLabel(ui, "Name");
+    dialogLabel(ui, "Name");
     textField(ui, "name", PictureSettings{}.name.c_str(), ImGui::GetContentRegionAvail().x, true);
-    rowLabel(ui, "Folder");
+    dialogLabel(ui, "Folder");
     textField(ui, "folder", picturesFolder().c_str(), ImGui::GetContentRegionAvail().x, true);
     rowsRow(ui);
     ImGui::Spacing();

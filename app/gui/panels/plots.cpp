@@ -17,7 +17,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr float kLeastHeight = 92, kMostHeight = 190;
+constexpr float kLeastPlotHeight = 92, kMostPlotHeight = 190;
 
 /// The chart that figures are given of: pointed at, else selected, else kNone.
 Index chartInFocus(const AppState& state, std::size_t charts) {
@@ -192,7 +192,7 @@ float plotHeight(const Ui& ui, int full, int empty) {
   const float boxes = static_cast<float>(empty) * (3 * line + 2 * gap + ui.px(16));
   const float room =
       (ImGui::GetContentRegionAvail().y - boxes) / static_cast<float>(std::max(1, full)) - words;
-  return std::round(std::clamp(room, ui.px(kLeastHeight), ui.px(kMostHeight)));
+  return std::round(std::clamp(room, ui.px(kLeastPlotHeight), ui.px(kMostPlotHeight)));
 }
 
 }  // namespace

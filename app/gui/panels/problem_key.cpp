@@ -13,7 +13,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr ImU32 kDark = IM_COL32(26, 26, 28, 255);
+constexpr ImU32 kChip = IM_COL32(26, 26, 28, 255);
 
 /// Stripes through a square: `dx` and `dy` lead from one end of a stripe to the other.
 void stripes(ImDrawList& list, ImVec2 low, float side, float dx, float dy, ImU32 color) {
@@ -56,7 +56,7 @@ void problemSwatch(const Ui& ui, ProblemKind kind, ImVec2 low, float side) {
   const ImU32 color = ImGui::ColorConvertFloat4ToU32({look.color.x, look.color.y, look.color.z, 1});
   const ImVec2 high{low.x + side, low.y + side};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(low, high, kDark, ui.px(2));
+  list.AddRectFilled(low, high, kChip, ui.px(2));
   list.PushClipRect(low, high, true);
   switch (look.mark) {
   case TriangleMark::None:

@@ -12,7 +12,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr float kTurn = 2 * std::numbers::pi_v<float>;
+constexpr float kFullTurn = 2 * std::numbers::pi_v<float>;
 constexpr int kRing = 72;  // pieces of a circle
 
 ImU32 faded(ImU32 color, float alpha) {
@@ -54,7 +54,7 @@ void SphereDrawing::ball() const {
   const auto first = static_cast<unsigned>(list_._VtxCurrentIdx);
   list_.PrimWriteVtx({center_.x - 0.28f * radius_, center_.y - 0.32f * radius_}, white, middle);
   for (int i = 0; i < kRing; ++i) {
-    const float angle = kTurn * static_cast<float>(i) / kRing;
+    const float angle = kFullTurn * static_cast<float>(i) / kRing;
     list_.PrimWriteVtx(
         {center_.x + radius_ * std::cos(angle), center_.y + radius_ * std::sin(angle)}, white, rim);
   }
@@ -89,18 +89,18 @@ void SphereDrawing::grid(Half half, ImU32 color) const {
   const glm::vec3 b = glm::cross(upright_, a);
   std::vector<glm::vec3> ring(kRing + 1);
   for (int m = 0; m < 6; ++m) {
-    const float angle = kTurn * static_cast<float>(m) / 12;
+    const float angle = kFullTurn * static_cast<float>(m) / 12;
     const glm::vec3 side = std::cos(angle) * a + std::sin(angle) * b;
     for (std::size_t i = 0; i <= kRing; ++i) {
-      const float t = kTurn * static_cast<float>(i) / kRing;
+      const float t = kFullTurn * static_cast<float>(i) / kRing;
       ring[i] = std::cos(t) * upright_ + std::sin(t) * side;
     }
     polyline(ring, half, color, ui_.px(1));
   }
   for (int parallel = -2; parallel <= 2; ++parallel) {
-    const float latitude = kTurn * static_cast<float>(parallel) / 12;
+    const float latitude = kFullTurn * static_cast<float>(parallel) / 12;
     for (std::size_t i = 0; i <= kRing; ++i) {
-      const float t = kTurn * static_cast<float>(i) / kRing;
+      const float t = kFullTurn * static_cast<float>(i) / kRing;
       ring[i] =
           std::sin(latitude) * upright_ + std::cos(latitude) * (std::cos(t) * a + std::sin(t) * b);
     }

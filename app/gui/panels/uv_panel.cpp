@@ -16,7 +16,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kWheelFactor = 1.2;  // closer by this per notch
+constexpr double kZoomPerNotch = 1.2;  // closer by this per notch
 
 /// The rectangle of the texture's picture.
 struct UvRectangle {
@@ -81,7 +81,7 @@ void useMouse(const Ui& ui, UvSource& source, const UvRectangle& view, UvMouse& 
   if (io.MouseWheel != 0) {
     const double notches = static_cast<double>(io.MouseWheel);
     const double steps = ui.state.preferences.invertZoom ? -notches : notches;
-    ui.state.view.uvCamera.zoom(std::pow(kWheelFactor, steps), view.pixel(io.MousePos),
+    ui.state.view.uvCamera.zoom(std::pow(kZoomPerNotch, steps), view.pixel(io.MousePos),
                                 view.size());
     mouse.pickedAt = {-1, -1};
     mouse.movedAt = ImGui::GetTime();

@@ -50,13 +50,6 @@ void colorMapRow(const Ui& ui) {
   ImGui::EndCombo();
 }
 
-/// The label of a row; the control follows in the right half.
-void rowLabel(const char* words) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(words);
-  ImGui::SameLine(std::round(ImGui::GetWindowContentRegionMax().x * 0.5f));
-}
-
 void checkerKindRow(const Ui& ui) {
   struct Kind {
     CheckerKind kind;
@@ -67,7 +60,7 @@ void checkerKindRow(const Ui& ui) {
                                     {CheckerKind::Circles, "Circles"},
                                     {CheckerKind::Picture, "Picture"}};
   const CheckerKind present = ui.state.view.render.checkerKind;
-  rowLabel("Checkerboard");
+  rowLabel("Checkerboard", 0.5f);
   ImGui::SetNextItemWidth(-1);
   const bool open =
       ImGui::BeginCombo("##checker-kind", kKinds[static_cast<std::size_t>(present)].words);
@@ -99,7 +92,7 @@ void pictureRepeatsRow(const Ui& ui) {
     ui.run("checker-repeats " + quotedArgument(text));
   };
   slider.nudged = [&](int direction) { set(slider.fraction + direction / (kMost - 1)); };
-  rowLabel("Pictures on the texture");
+  rowLabel("Pictures on the texture", 0.5f);
   barSlider(ui, slider, ImGui::GetContentRegionAvail().x);
   tooltip(ui, "checker-repeats", "Pictures", ui.actions.find("checker-repeats")->help);
 }
@@ -124,7 +117,7 @@ void checkerSizeRow(const Ui& ui) {
   slider.moved = [&](double fraction, bool) { set(fraction); };
   slider.typed = [&](const std::string& text) { ui.run("checker-size " + quotedArgument(text)); };
   slider.nudged = [&](int direction) { set(slider.fraction + 0.02 * direction); };
-  rowLabel(settings.checkerInTexture ? "Squares on the texture" : "Squares on the model");
+  rowLabel(settings.checkerInTexture ? "Squares on the texture" : "Squares on the model", 0.5f);
   barSlider(ui, slider, ImGui::GetContentRegionAvail().x);
   tooltip(ui, "checker-size", "Squares", ui.actions.find("checker-size")->help);
 }

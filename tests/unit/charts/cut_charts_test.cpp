@@ -12,6 +12,7 @@
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
 #include "core/segment/registry.h"
+#include "tests/support/segment_inputs.h"
 #include "tests/unit/charts/cut_support.h"
 
 namespace chartflood {
@@ -248,10 +249,7 @@ TEST(BoundaryCut, CutsOneAfterTheOtherKeepADisk) {
 // --- Real meshes ---
 
 Segmentation segmented(std::shared_ptr<const Mesh> mesh, std::size_t charts) {
-  SegmentInputs in;
-  in.mesh = std::move(mesh);
-  in.gaussArea = std::make_shared<GaussArea>(computeGaussArea(*in.mesh, 45));
-  in.floodGraph = std::make_shared<FloodGraph>(buildFloodGraph(*in.mesh, *in.gaussArea, {}));
+  const SegmentInputs in = test::segmentInputs(std::move(mesh));
   SegmentOptions options;
   options.charts = charts;
   options.maxIterations = 10;

@@ -17,8 +17,6 @@
 namespace chartflood {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 class AtThreeResolutions : public testing::TestWithParam<std::size_t> {
  protected:
   GaussArea area(const std::string& sample, double sharpAngle) const {
@@ -30,27 +28,27 @@ INSTANTIATE_TEST_SUITE_P(Triangles, AtThreeResolutions, testing::Values(1500, 60
 TEST_P(AtThreeResolutions, SphereIsAllFaces) {
   for (const double angle : {45.0, 180.0}) {
     const GaussArea g = area("sphere", angle);
-    EXPECT_NEAR(g.triangleTotal, 4 * kPi, 1e-6);
+    EXPECT_NEAR(g.triangleTotal, 4 * std::numbers::pi, 1e-6);
     EXPECT_EQ(g.edgeTotal, 0);
     EXPECT_EQ(g.cornerTotal, 0);
-    EXPECT_NEAR(g.signedTotal, 4 * kPi, 1e-6);
+    EXPECT_NEAR(g.signedTotal, 4 * std::numbers::pi, 1e-6);
   }
 }
 
 TEST_P(AtThreeResolutions, CubeIsAllCorners) {
   const GaussArea g = area("cube", 45);
   ASSERT_EQ(g.corners.size(), 8u);
-  for (const double corner : g.corner) EXPECT_NEAR(corner, kPi / 2, 1e-9);
+  for (const double corner : g.corner) EXPECT_NEAR(corner, std::numbers::pi / 2, 1e-9);
   EXPECT_NEAR(g.edgeTotal, 0, 1e-9);
   EXPECT_NEAR(g.triangleTotal, 0, 1e-9);
   const GaussArea smooth = area("cube", 180);
-  EXPECT_NEAR(smooth.triangleTotal, 4 * kPi, 1e-6);
+  EXPECT_NEAR(smooth.triangleTotal, 4 * std::numbers::pi, 1e-6);
   EXPECT_TRUE(smooth.sharpEdges.empty());
 }
 
 TEST_P(AtThreeResolutions, CylinderIsAllRims) {
   const GaussArea g = area("cylinder", 45);
-  EXPECT_NEAR(g.edgeTotal, 4 * kPi, 1e-6);
+  EXPECT_NEAR(g.edgeTotal, 4 * std::numbers::pi, 1e-6);
   EXPECT_NEAR(g.triangleTotal, 0, 1e-6);
   EXPECT_NEAR(g.cornerTotal, 0, 1e-9);
 }
@@ -63,16 +61,16 @@ TEST_P(AtThreeResolutions, TubeAndPlaneHaveNone) {
 
 TEST_P(AtThreeResolutions, TorusIsTwiceASphereAndCancels) {
   const GaussArea g = area("torus", 45);
-  EXPECT_NEAR(g.total(), 8 * kPi, 0.02 * 8 * kPi);
+  EXPECT_NEAR(g.total(), 8 * std::numbers::pi, 0.02 * 8 * std::numbers::pi);
   EXPECT_NEAR(g.signedTotal, 0, 1e-6);
 }
 
 TEST_P(AtThreeResolutions, LBlockIsSixPiOnCorners) {
   const GaussArea g = area("l-block", 45);
-  EXPECT_NEAR(g.cornerTotal, 6 * kPi, 1e-9);
+  EXPECT_NEAR(g.cornerTotal, 6 * std::numbers::pi, 1e-9);
   EXPECT_NEAR(g.edgeTotal, 0, 1e-9);
   EXPECT_NEAR(g.triangleTotal, 0, 1e-9);
-  EXPECT_NEAR(g.signedTotal, 4 * kPi, 1e-9);
+  EXPECT_NEAR(g.signedTotal, 4 * std::numbers::pi, 1e-9);
 }
 
 TEST(GaussArea, ConeConcentratesAtTheApex) {
@@ -84,7 +82,7 @@ TEST(GaussArea, ConeConcentratesAtTheApex) {
     high = std::max(high, p.y);
     radius = std::max(radius, std::abs(p.x));
   }
-  const double exact = 2 * kPi * (1 - std::sin(std::atan(radius / (high - low))));
+  const double exact = 2 * std::numbers::pi * (1 - std::sin(std::atan(radius / (high - low))));
   EXPECT_NEAR(g.total(), exact, 0.01 * exact);
 }
 
@@ -96,17 +94,17 @@ TEST_P(Invariance, SignedTotalIsAWholeNumberOfSpheresWhenClosed) {
   const auto mesh = test::sampleMesh(GetParam(), 6000);
   for (const double angle : {20.0, 45.0, 180.0}) {
     const GaussArea g = computeGaussArea(*mesh, angle);
-    const double degree = g.signedTotal / (4 * kPi);
+    const double degree = g.signedTotal / (4 * std::numbers::pi);
     if (mesh->closed()) {
       EXPECT_NEAR(degree, std::round(degree), 1e-6) << angle;
     }
     for (const double a : g.triangle) {
       ASSERT_GE(a, 0);
-      ASSERT_LE(a, 2 * kPi);
+      ASSERT_LE(a, 2 * std::numbers::pi);
     }
     for (const double a : g.edge) {
       ASSERT_GE(a, 0);
-      ASSERT_LE(a, 2 * kPi);
+      ASSERT_LE(a, 2 * std::numbers::pi);
     }
   }
 }
@@ -157,7 +155,7 @@ TEST(GaussArea, PolygonsCountTheirDiagonals) {
   const GaussArea g = computeGaussArea(*cube, 180);
   const std::vector<double> face = faceGaussArea(*cube, g);
   ASSERT_EQ(face.size(), 6u);
-  EXPECT_NEAR(std::accumulate(face.begin(), face.end(), 0.0), 4 * kPi, 1e-6);
+  EXPECT_NEAR(std::accumulate(face.begin(), face.end(), 0.0), 4 * std::numbers::pi, 1e-6);
 }
 
 TEST(GaussArea, BadGeometryStaysFinite) {

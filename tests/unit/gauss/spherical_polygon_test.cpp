@@ -12,7 +12,6 @@
 namespace chartflood {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 const glm::dvec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
 
 glm::dvec3 polar(double latitude, double longitude) {
@@ -21,8 +20,8 @@ glm::dvec3 polar(double latitude, double longitude) {
 }
 
 TEST(SphericalTriangle, OctantIsHalfPi) {
-  EXPECT_NEAR(signedTriangleArea(kX, kY, kZ), kPi / 2, 1e-15);
-  EXPECT_NEAR(signedTriangleArea(kX, kZ, kY), -kPi / 2, 1e-15);
+  EXPECT_NEAR(signedTriangleArea(kX, kY, kZ), std::numbers::pi / 2, 1e-15);
+  EXPECT_NEAR(signedTriangleArea(kX, kZ, kY), -std::numbers::pi / 2, 1e-15);
 }
 
 TEST(SphericalTriangle, DegenerateOnesAreZero) {
@@ -38,7 +37,7 @@ TEST(SphericalTriangle, SmallOnesMatchGirard) {
       const glm::dvec3 u = glm::cross(at, p), v = glm::cross(at, q);
       return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
     };
-    const double girard = angle(a, b, c) + angle(b, c, a) + angle(c, a, b) - kPi;
+    const double girard = angle(a, b, c) + angle(b, c, a) + angle(c, a, b) - std::numbers::pi;
     EXPECT_NEAR(signedTriangleArea(a, b, c), girard, 1e-12);
   }
 }
@@ -46,8 +45,8 @@ TEST(SphericalTriangle, SmallOnesMatchGirard) {
 TEST(SphericalPolygon, FansAddUp) {
   // A cap around the pole: 2 pi (1 - cos(radius)), approached by many corners.
   std::vector<glm::dvec3> cap;
-  for (int i = 0; i < 4000; ++i) cap.push_back(polar(1.0, 2 * kPi * i / 4000));
-  const double exact = 2 * kPi * (1 - std::sin(1.0));
+  for (int i = 0; i < 4000; ++i) cap.push_back(polar(1.0, 2 * std::numbers::pi * i / 4000));
+  const double exact = 2 * std::numbers::pi * (1 - std::sin(1.0));
   EXPECT_NEAR(signedPolygonArea(cap), exact, 1e-5);
   EXPECT_NEAR(absolutePolygonArea(cap), exact, 1e-5);
   std::vector<glm::dvec3> reversed(cap.rbegin(), cap.rend());
@@ -75,10 +74,10 @@ TEST(SphericalPolygon, ComplementIsNeverTaken) {
 
 TEST(SphericalPolygon, ManyCrossingsEnd) {
   std::vector<glm::dvec3> star;
-  for (int i = 0; i < 201; ++i) star.push_back(polar(0.5, 2 * kPi * i * 100 / 201));
+  for (int i = 0; i < 201; ++i) star.push_back(polar(0.5, 2 * std::numbers::pi * i * 100 / 201));
   const double area = absolutePolygonArea(star);
   EXPECT_GT(area, 0);
-  EXPECT_LE(area, 4 * kPi);
+  EXPECT_LE(area, 4 * std::numbers::pi);
 }
 
 }  // namespace

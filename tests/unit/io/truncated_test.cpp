@@ -37,17 +37,17 @@ std::string tetrahedronPly(bool binary) {
 }
 
 std::string triangleGlb() {
-  std::string json =
+  std::string text =
       R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36}],"bufferViews":[{"buffer":0,)"
       R"("byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,)"
       R"("type":"VEC3"}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
       R"("nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})";
-  json.resize((json.size() + 3) / 4 * 4, ' ');
+  text.resize((text.size() + 3) / 4 * 4, ' ');
   std::string data;
   for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) data += bytesOf(x);
-  const auto total = static_cast<std::uint32_t>(28 + json.size() + data.size());
-  return "glTF" + bytesOf(2u) + bytesOf(total) + bytesOf(static_cast<std::uint32_t>(json.size())) +
-         "JSON" + json + bytesOf(36u) + std::string("BIN\0", 4) + data;
+  const auto total = static_cast<std::uint32_t>(28 + text.size() + data.size());
+  return "glTF" + bytesOf(2u) + bytesOf(total) + bytesOf(static_cast<std::uint32_t>(text.size())) +
+         "JSON" + text + bytesOf(36u) + std::string("BIN\0", 4) + data;
 }
 
 std::string triangleStl() {

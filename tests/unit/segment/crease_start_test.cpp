@@ -10,19 +10,12 @@
 #include "core/gauss/compute_gauss_area.h"
 #include "core/segment/crease_regions.h"
 #include "core/segment/crease_start.h"
+#include "tests/support/segment_inputs.h"
 #include "tests/support/segmentation_checks.h"
 #include "tests/support/test_meshes.h"
 
 namespace chartflood {
 namespace {
-
-SegmentInputs inputsOf(std::shared_ptr<const Mesh> mesh) {
-  SegmentInputs in;
-  in.mesh = std::move(mesh);
-  in.gaussArea = std::make_shared<GaussArea>(computeGaussArea(*in.mesh, 45));
-  in.floodGraph = std::make_shared<FloodGraph>(buildFloodGraph(*in.mesh, *in.gaussArea, {}));
-  return in;
-}
 
 Segmentation finished(const SegmentInputs& in, std::size_t charts) {
   SegmentOptions options;
@@ -34,7 +27,7 @@ Segmentation finished(const SegmentInputs& in, std::size_t charts) {
 }
 
 TEST(CreaseRegions, OfACubeAreItsSidesAndStayWhateverTheCuts) {
-  const SegmentInputs in = inputsOf(test::sampleMesh("cube", 1200));
+  const SegmentInputs in = test::segmentInputs(test::sampleMesh("cube", 1200));
   const CreaseRegions regions = creaseRegions(*in.mesh, *in.gaussArea);
   EXPECT_EQ(regions.count, 6u);
   EXPECT_TRUE(dividedByCreases(*in.mesh, *in.gaussArea));
@@ -49,7 +42,7 @@ TEST(CreaseRegions, OfACubeAreItsSidesAndStayWhateverTheCuts) {
 }
 
 TEST(CreaseRegions, ASmoothModelIsOneAndDoesNotSuit) {
-  const SegmentInputs in = inputsOf(test::sampleMesh("sphere", 1000));
+  const SegmentInputs in = test::segmentInputs(test::sampleMesh("sphere", 1000));
   EXPECT_EQ(creaseRegions(*in.mesh, *in.gaussArea).count, 1u);
   EXPECT_FALSE(suitsCreaseStart(in));
 }
@@ -81,12 +74,12 @@ TEST_P(CreasesOf, DivideMachineParts) {
 }
 
 TEST(CreaseRegions, OfASoftBodyWithHardDetailsDoNotDivideIt) {
-  EXPECT_FALSE(suitsCreaseStart(inputsOf(test::sampleMesh("rocket", 5000))));
-  EXPECT_TRUE(suitsCreaseStart(inputsOf(test::sampleMesh("gear", 5000))));
+  EXPECT_FALSE(suitsCreaseStart(test::segmentInputs(test::sampleMesh("rocket", 5000))));
+  EXPECT_TRUE(suitsCreaseStart(test::segmentInputs(test::sampleMesh("gear", 5000))));
 }
 
 TEST(CreaseStart, SeedsAreOfTheChartsAndToldOf) {
-  const SegmentInputs in = inputsOf(test::sampleMesh("gear", 3000));
+  const SegmentInputs in = test::segmentInputs(test::sampleMesh("gear", 3000));
   SegmentOptions options;
   options.charts = 20;
   std::vector<Index> told;
@@ -106,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, CreaseStartOn,
                          testing::Values("cube", "cylinder", "gear", "rocket", "torus"));
 
 TEST_P(CreaseStartOn, AnyNumberOfChartsIsValid) {
-  const SegmentInputs in = inputsOf(test::sampleMesh(GetParam(), 3000));
+  const SegmentInputs in = test::segmentInputs(test::sampleMesh(GetParam(), 3000));
   for (const std::size_t charts : {2u, 5u, 20u, 60u}) {
     const Segmentation state = finished(in, charts);
     EXPECT_EQ(state.chartCount, std::max(charts, in.mesh->componentCount()));
@@ -115,7 +108,7 @@ TEST_P(CreaseStartOn, AnyNumberOfChartsIsValid) {
 }
 
 TEST_P(CreaseStartOn, StepsAndCancelledRunsGiveTheSame) {
-  const SegmentInputs in = inputsOf(test::sampleMesh(GetParam(), 3000));
+  const SegmentInputs in = test::segmentInputs(test::sampleMesh(GetParam(), 3000));
   const Segmentation whole = finished(in, 12);
   SegmentOptions options;
   options.charts = 12;

@@ -12,19 +12,12 @@
 #include "core/segment/registry.h"
 #include "core/segment/vsa.h"
 #include "core/segment/vsa_regions.h"
+#include "tests/support/segment_inputs.h"
 #include "tests/support/segmentation_checks.h"
 #include "tests/support/test_meshes.h"
 
 namespace chartflood {
 namespace {
-
-SegmentInputs inputsOf(std::shared_ptr<const Mesh> mesh) {
-  SegmentInputs in;
-  in.mesh = std::move(mesh);
-  in.gaussArea = std::make_shared<GaussArea>(computeGaussArea(*in.mesh, 45));
-  in.floodGraph = std::make_shared<FloodGraph>(buildFloodGraph(*in.mesh, *in.gaussArea, {}));
-  return in;
-}
 
 std::unique_ptr<Stepper> finished(const char* method, const SegmentInputs& in,
                                   const SegmentOptions& options) {
@@ -42,10 +35,10 @@ SegmentOptions charts(std::size_t count) {
 }
 
 TEST(Vsa, FlatSidesAreFoundExactly) {
-  const auto cube = inputsOf(test::sampleMesh("cube", 1200));
+  const auto cube = test::segmentInputs(test::sampleMesh("cube", 1200));
   const auto state = finished("vsa", cube, charts(6))->state();
   EXPECT_LT(vsaCost(*cube.mesh, state->label, 6), 1e-9);
-  const auto block = inputsOf(test::sampleMesh("l-block", 1500));
+  const auto block = test::segmentInputs(test::sampleMesh("l-block", 1500));
   const auto sides = finished("vsa", block, charts(8))->state();
   EXPECT_LT(vsaCost(*block.mesh, sides->label, 8), 1e-9);
 }
@@ -63,7 +56,7 @@ class ManyCharts : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Methods, ManyCharts, testing::Values("vsa", "mcgim"));
 
 TEST_P(ManyCharts, UpToOneForEachFaceAreFound) {
-  const auto in = inputsOf(tiltedCube());
+  const auto in = test::segmentInputs(tiltedCube());
   const std::size_t faces = in.mesh->faceCount();
   for (std::size_t count = 1; count <= faces; count += count < faces - 3 ? 4 : 1) {
     const auto state = finished(GetParam(), in, charts(count))->state();
@@ -73,7 +66,7 @@ TEST_P(ManyCharts, UpToOneForEachFaceAreFound) {
 }
 
 TEST(Vsa, KeepsTheCheapestRoundAndFitsTheMinimiser) {
-  const auto in = inputsOf(test::sampleMesh("bumps", 3000));
+  const auto in = test::segmentInputs(test::sampleMesh("bumps", 3000));
   for (const VsaSeeding seeding :
        {VsaSeeding::OneByOne, VsaSeeding::Doubling, VsaSeeding::Random}) {
     SegmentOptions options = charts(12);
@@ -89,7 +82,7 @@ TEST(Vsa, KeepsTheCheapestRoundAndFitsTheMinimiser) {
     }
   }
   // Any other proxy than the fitted one costs more, and E = 2 (A - |S|).
-  auto faces = inputsOf(test::sampleMesh("bumps", 3000)).mesh->faceCount();
+  auto faces = test::segmentInputs(test::sampleMesh("bumps", 3000)).mesh->faceCount();
   std::vector<GrowthFace> patch;
   for (std::size_t i = 0; i < std::min<std::size_t>(faces, 50); ++i) {
     GrowthFace face;
@@ -114,7 +107,7 @@ TEST(Vsa, KeepsTheCheapestRoundAndFitsTheMinimiser) {
 }
 
 TEST(Vsa, TeleportationOnlyLowersTheCost) {
-  const auto in = inputsOf(test::sampleMesh("rocket", 4000));
+  const auto in = test::segmentInputs(test::sampleMesh("rocket", 4000));
   SegmentOptions options = charts(15);
   options.maxIterations = 500;
   const auto with = finished("vsa", in, options)->state();
@@ -124,7 +117,7 @@ TEST(Vsa, TeleportationOnlyLowersTheCost) {
 }
 
 TEST(Mcgim, SixChartsOfACubeAreItsSides) {
-  const auto in = inputsOf(test::sampleMesh("cube", 1200));
+  const auto in = test::segmentInputs(test::sampleMesh("cube", 1200));
   const auto state = finished("mcgim", in, charts(6))->state();
   EXPECT_LT(vsaCost(*in.mesh, state->label, 6), 1e-9);
 }
@@ -151,7 +144,7 @@ std::vector<double> distancesToSeeds(const Mesh& mesh, const std::vector<Index>&
 }
 
 TEST(Mcgim, LargeLambdaGivesVoronoiCells) {
-  const auto in = inputsOf(test::sampleMesh("bumps", 3000));
+  const auto in = test::segmentInputs(test::sampleMesh("bumps", 3000));
   SegmentOptions options = charts(7);
   options.mcgim.lambda = 1e6;
   const auto state = finished("mcgim", in, options)->state();
@@ -167,7 +160,7 @@ TEST(Mcgim, LargeLambdaGivesVoronoiCells) {
 }
 
 TEST(Mcgim, DisksStayDisksAndRunningNormalsAreValid) {
-  const auto in = inputsOf(test::sampleMesh("torus", 2000));
+  const auto in = test::segmentInputs(test::sampleMesh("torus", 2000));
   SegmentOptions options = charts(8);
   options.mcgim.disks = true;
   test::expectValid(*in.mesh, *in.gaussArea, *finished("mcgim", in, options)->state());
@@ -179,17 +172,17 @@ class Growth : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Methods, Growth, testing::Values("vsa", "mcgim"));
 
 TEST_P(Growth, OneChartAFaceAndFlatGround) {
-  const auto sphere = inputsOf(test::sampleMesh("sphere", 300));
+  const auto sphere = test::segmentInputs(test::sampleMesh("sphere", 300));
   EXPECT_EQ(finished(GetParam(), sphere, charts(100000))->state()->chartCount,
             sphere.mesh->faceCount());
-  const auto plane = inputsOf(test::grid(8, false));
+  const auto plane = test::segmentInputs(test::grid(8, false));
   const auto state = finished(GetParam(), plane, charts(5))->state();
   EXPECT_EQ(state->chartCount, 5u);
   test::expectValid(*plane.mesh, *plane.gaussArea, *state);
 }
 
 TEST_P(Growth, LockedSeedsStay) {
-  const auto in = inputsOf(test::sampleMesh("bumps", 2000));
+  const auto in = test::segmentInputs(test::sampleMesh("bumps", 2000));
   SegmentOptions options = charts(6);
   options.seeds = {100, 700};
   options.locked = {700};

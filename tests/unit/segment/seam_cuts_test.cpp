@@ -80,7 +80,7 @@ TEST(MaxFlow, FindsTheLeastOfAllCutsAndGoesOnFromOneToTheNext) {
   }
 }
 
-struct Flooded : test::Flooded {
+struct SeamFlooded : test::Flooded {
   using test::Flooded::Flooded;
   SeamCuts cuts(SeamCuts::Options options) const {
     options.eta = eta;
@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, CutsOn,
                          testing::Values("rocket", "torus", "double-torus", "tube", "bumps"));
 
 TEST_P(CutsOn, EnergyFallsAndChartsStayWhole) {
-  const Flooded f(test::sampleMesh(GetParam(), 6000), 9);
+  const SeamFlooded f(test::sampleMesh(GetParam(), 6000), 9);
   const ChartStats before = measureCharts(*f.mesh, f.state);
   for (const bool anneal : {true, false}) {
     for (const bool oneSided : {false, true}) {
@@ -119,7 +119,7 @@ TEST_P(CutsOn, EnergyFallsAndChartsStayWhole) {
 }
 
 TEST_P(CutsOn, TheRecordPlaysForthAndBack) {
-  const Flooded f(test::sampleMesh(GetParam(), 4000), 7);
+  const SeamFlooded f(test::sampleMesh(GetParam(), 4000), 7);
   SeamCuts cuts = f.cuts({});
   Progress progress;
   cuts.run(progress);
@@ -135,7 +135,7 @@ TEST_P(CutsOn, TheRecordPlaysForthAndBack) {
 
 /// At full weight from the start, without annealing, no step may raise the energy.
 TEST(SeamCuts, EnergyNeverRisesAtTemperatureZero) {
-  const Flooded f(test::sampleMesh("bumps", 3000), 6);
+  const SeamFlooded f(test::sampleMesh("bumps", 3000), 6);
   SeamCuts cuts = f.cuts({.clusters = false, .anneal = false});
   Progress progress;
   cuts.run(progress);
@@ -183,7 +183,7 @@ TEST(SeamCuts, TeethBecomeAStraightLine) {
 }
 
 TEST(SeamCuts, AnyThreadsAndCancelledRunsGiveTheSame) {
-  const Flooded f(test::sampleMesh("bumps", 20000), 24);
+  const SeamFlooded f(test::sampleMesh("bumps", 20000), 24);
   const auto labels = [&](unsigned threads, bool stop) {
     setThreadCount(threads);
     SeamCuts cuts = f.cuts({});
@@ -208,7 +208,7 @@ TEST(SeamCuts, AnyThreadsAndCancelledRunsGiveTheSame) {
 }
 
 TEST(FaceClusters, AreConnectedPartsOfCharts) {
-  const Flooded f(test::sampleMesh("rocket", 5000), 8);
+  const SeamFlooded f(test::sampleMesh("rocket", 5000), 8);
   for (const auto& clusters :
        {clusterFaces(*f.mesh, f.state.label, 6), clusterNearSeams(*f.mesh, f.state.label, 2)}) {
     std::vector<Index> chart(clusters.count, kNone);

@@ -13,20 +13,12 @@
 #include "core/gauss/compute_gauss_area.h"
 #include "core/segment/balance.h"
 #include "core/segment/registry.h"
+#include "tests/support/segment_inputs.h"
 #include "tests/support/segmentation_checks.h"
 #include "tests/support/test_meshes.h"
 
 namespace chartflood {
 namespace {
-
-SegmentInputs inputsOf(std::shared_ptr<const Mesh> mesh, double sharpAngle = 45,
-                       const FloodSpeeds& speeds = {}) {
-  SegmentInputs in;
-  in.mesh = std::move(mesh);
-  in.gaussArea = std::make_shared<GaussArea>(computeGaussArea(*in.mesh, sharpAngle));
-  in.floodGraph = std::make_shared<FloodGraph>(buildFloodGraph(*in.mesh, *in.gaussArea, speeds));
-  return in;
-}
 
 std::shared_ptr<const Segmentation> inOneGo(const Segmenter& method, const SegmentInputs& in,
                                             const SegmentOptions& options) {
@@ -61,7 +53,7 @@ class Conformance : public testing::TestWithParam<MethodAndMesh> {
     const bool file = name.find('.') != std::string::npos;
     mesh_ = file ? test::realMesh(name) : test::sampleMesh(name, 4000);
     if (!mesh_) GTEST_SKIP() << "the folder of real meshes is absent";
-    in_ = inputsOf(mesh_);
+    in_ = test::segmentInputs(mesh_);
     options_.charts = 11;
   }
   std::shared_ptr<const Mesh> mesh_;
@@ -118,9 +110,9 @@ TEST_P(Conformance, AnyWayThereGivesTheSameLabels) {
 
 TEST_P(Conformance, ThreadsChangeNothing) {
   setThreadCount(1);
-  const auto alone = inOneGo(*GetParam().method, inputsOf(mesh_), options_);
+  const auto alone = inOneGo(*GetParam().method, test::segmentInputs(mesh_), options_);
   setThreadCount(2);
-  const auto two = inOneGo(*GetParam().method, inputsOf(mesh_), options_);
+  const auto two = inOneGo(*GetParam().method, test::segmentInputs(mesh_), options_);
   setThreadCount(0);
   EXPECT_EQ(alone->label, two->label);
   EXPECT_EQ(alone->seeds, two->seeds);
@@ -141,13 +133,13 @@ TEST(TFlooding, OneChartAFace) {
   const auto mesh = test::sampleMesh("sphere", 600);
   SegmentOptions options;
   options.charts = 100000;
-  const auto state = inOneGo(*findSegmenter("t-flooding"), inputsOf(mesh), options);
+  const auto state = inOneGo(*findSegmenter("t-flooding"), test::segmentInputs(mesh), options);
   EXPECT_EQ(state->chartCount, mesh->faceCount());
-  test::expectValid(*mesh, *inputsOf(mesh).gaussArea, *state);
+  test::expectValid(*mesh, *test::segmentInputs(mesh).gaussArea, *state);
 }
 
 TEST(TFlooding, BestRoundIsKept) {
-  const auto in = inputsOf(test::sampleMesh("bumps", 8000));
+  const auto in = test::segmentInputs(test::sampleMesh("bumps", 8000));
   SegmentOptions options;
   options.refine.kind = RefineKind::None;
   const auto stepper = findSegmenter("t-flooding")->make(in, options);
@@ -163,7 +155,7 @@ TEST(TFlooding, BestRoundIsKept) {
 }
 
 TEST(TFlooding, LogAtTheEndIsTheKeptRounds) {
-  const auto in = inputsOf(test::sampleMesh("bumps", 8000));
+  const auto in = test::segmentInputs(test::sampleMesh("bumps", 8000));
   SegmentOptions options;
   options.refine.kind = RefineKind::None;
   const auto stepper = findSegmenter("t-flooding")->make(in, options);
@@ -178,7 +170,7 @@ TEST(TFlooding, LogAtTheEndIsTheKeptRounds) {
 }
 
 TEST(TFlooding, AdoptedRoundIsFloodedAgain) {
-  const auto in = inputsOf(test::sampleMesh("bumps", 6000));
+  const auto in = test::segmentInputs(test::sampleMesh("bumps", 6000));
   const auto stepper = findSegmenter("t-flooding")->make(in, {});
   Progress progress;
   stepper->advance(StepUnit::Flood, 3, progress);
@@ -190,7 +182,7 @@ TEST(TFlooding, AdoptedRoundIsFloodedAgain) {
 }
 
 TEST(TFlooding, RestartTakesNothing) {
-  const auto in = inputsOf(test::sampleMesh("bumps", 6000));
+  const auto in = test::segmentInputs(test::sampleMesh("bumps", 6000));
   const auto stepper = findSegmenter("t-flooding")->make(in, {});
   Progress progress;
   stepper->advance(StepUnit::Flood, 1, progress);
@@ -203,7 +195,7 @@ TEST(TFlooding, RestartTakesNothing) {
 }
 
 TEST(TFlooding, BalanceGetsBetterThanOneRound) {
-  const auto in = inputsOf(test::sampleMesh("bumps", 20000));
+  const auto in = test::segmentInputs(test::sampleMesh("bumps", 20000));
   const auto stepper = findSegmenter("t-flooding")->make(in, {});
   Progress progress;
   stepper->advance(StepUnit::Flood, 1, progress);
@@ -217,8 +209,8 @@ TEST(TFlooding, PlaneIsSharedByArea) {
   const auto mesh = test::grid(60, true);
   SegmentOptions options;
   options.charts = 8;
-  const auto state = inOneGo(*findSegmenter("t-flooding"), inputsOf(mesh), options);
-  test::expectValid(*mesh, *inputsOf(mesh).gaussArea, *state);
+  const auto state = inOneGo(*findSegmenter("t-flooding"), test::segmentInputs(mesh), options);
+  test::expectValid(*mesh, *test::segmentInputs(mesh).gaussArea, *state);
   std::vector<double> faces(8, 0);
   for (const Index label : state->label) faces[label] += 1;
   for (const double count : faces) EXPECT_GT(count, 0.5 * 7200 / 8);
@@ -229,8 +221,8 @@ TEST(TFlooding, PowersOfTwoChangeNothing) {
   InputMesh scaled = test::copyInput(*mesh);
   for (auto& p : scaled.positions) p *= 1024.0;
   const Segmenter& method = *findSegmenter("t-flooding");
-  EXPECT_EQ(inOneGo(method, inputsOf(mesh), {})->label,
-            inOneGo(method, inputsOf(test::rebuild(std::move(scaled))), {})->label);
+  EXPECT_EQ(inOneGo(method, test::segmentInputs(mesh), {})->label,
+            inOneGo(method, test::segmentInputs(test::rebuild(std::move(scaled))), {})->label);
 }
 
 struct Goal {
@@ -250,7 +242,7 @@ INSTANTIATE_TEST_SUITE_P(RealMeshes, BalanceGoal,
 TEST_P(BalanceGoal, IsReachedWithDefaults) {
   const auto mesh = test::realMesh(GetParam().file);
   if (!mesh) GTEST_SKIP() << "the folder of real meshes is absent";
-  const auto in = inputsOf(mesh);
+  const auto in = test::segmentInputs(mesh);
   const auto state = inOneGo(*findSegmenter("t-flooding"), in, {});
   test::expectValid(*mesh, *in.gaussArea, *state);
   EXPECT_LE(balanceOf(state->areas.gaussArea).stdOverMean(), GetParam().stdOverMean);
@@ -259,7 +251,7 @@ TEST_P(BalanceGoal, IsReachedWithDefaults) {
 TEST(EveryMethod, MakesTheLogOfAnEarlierRoundAgainAndLeavesTheStateAlone) {
   SegmentOptions options;
   options.charts = 7;
-  const auto in = inputsOf(test::sampleMesh("rocket", 1000));
+  const auto in = test::segmentInputs(test::sampleMesh("rocket", 1000));
   for (const Segmenter& method : segmenterTable()) {
     const auto stepper = method.make(in, options);
     Progress progress;
@@ -287,7 +279,7 @@ TEST(EveryMethod, MakesTheLogOfAnEarlierRoundAgainAndLeavesTheStateAlone) {
 TEST(EveryMethod, TellsHowItsBordersWereRefined) {
   SegmentOptions options;
   options.charts = 7;
-  const auto in = inputsOf(test::sampleMesh("rocket", 1000));
+  const auto in = test::segmentInputs(test::sampleMesh("rocket", 1000));
   for (const Segmenter& method : segmenterTable()) {
     for (const RefineKind kind : {RefineKind::Cuts, RefineKind::Moves, RefineKind::None}) {
       options.refine.kind = kind;
@@ -313,7 +305,7 @@ TEST(EveryMethod, KeepsTheLastRoundWhereThatIsWished) {
   options.charts = 7;
   options.keepLast = true;
   options.refine.kind = RefineKind::None;
-  const auto in = inputsOf(test::sampleMesh("rocket", 1000));
+  const auto in = test::segmentInputs(test::sampleMesh("rocket", 1000));
   for (const Segmenter& method : segmenterTable()) {
     for (const bool record : {true, false}) {
       options.record = record;
