@@ -1,35 +1,17 @@
 #include "core/session/pipeline.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
+#include "core/base/stopwatch.h"
 #include "core/charts/chart_stats.h"
-#include "core/charts/cut_charts.h"
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
-#include "core/pack/layout_atlas.h"
-#include "core/param/unwrap_charts.h"
-#include "core/segment/crease_start.h"
-#include "core/segment/hint_factors.h"
-#include "core/segment/registry.h"
 #include "core/segment/seeds.h"
 
 namespace chartflood {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-VsaSeeding vsaSeeding(const std::string& id) {
-  return id == "doubling" ? VsaSeeding::Doubling
-         : id == "random" ? VsaSeeding::Random
-                          : VsaSeeding::OneByOne;
-}
 
 std::string repairsText(const Mesh& mesh) {
   std::string text;
@@ -40,29 +22,7 @@ std::string repairsText(const Mesh& mesh) {
   return text;
 }
 
-RefineOptions refineOptions(const Parameters& p) {
-  RefineOptions options;
-  options.kind = p.refine == "cuts"    ? RefineKind::Cuts
-                 : p.refine == "moves" ? RefineKind::Moves
-                                       : RefineKind::None;
-  options.balanceWeight = p.balanceWeight;
-  options.creaseWeight = p.creaseWeight;
-  options.cleanUp = p.cleanUp;
-  return options;
-}
-
-template <class Work>
-void timed(double& milliseconds, Work&& work) {
-  const Clock::time_point start = Clock::now();
-  work();
-  milliseconds = millisecondsSince(start);
-}
-
 }  // namespace
-
-void Pipeline::tell(Notice::Kind kind, std::string text) const {
-  listener_.onNotice({kind, std::move(text)});
-}
 
 void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds,
                        Progress& progress) {
@@ -93,11 +53,11 @@ void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds
 
 void Pipeline::makeGaussArea(Progress& progress) {
   progress.beginPhase("Measuring Gauss area");
-  const Clock::time_point start = Clock::now();
+  const Stopwatch stopwatch;
   gauss_ =
       std::make_shared<const GaussArea>(computeGaussArea(*mesh_, document_.parameters.sharpAngle));
   ++gaussVersion_;
-  timing_.gaussArea = millisecondsSince(start);
+  timing_.gaussArea = stopwatch.milliseconds();
   if (gauss_->total() < 1e-9 && document_.parameters.areaShare > 0) {
     tell(Notice::Kind::Info, "This model has no curvature; balance is by surface area instead.");
   }
@@ -105,14 +65,12 @@ void Pipeline::makeGaussArea(Progress& progress) {
 
 void Pipeline::makeGraph(Progress& progress) {
   progress.beginPhase("Preparing the flood");
-  const Clock::time_point start = Clock::now();
+  const Stopwatch stopwatch;
   const Parameters& p = document_.parameters;
   graph_ = std::make_shared<const FloodGraph>(
       buildFloodGraph(*mesh_, *gauss_, {p.speedPower, p.speedEpsilon, p.areaShare}));
-  timing_.floodGraph = millisecondsSince(start);
+  timing_.floodGraph = stopwatch.milliseconds();
 }
-
-bool Pipeline::finished() const { return stepper_ != nullptr && stepper_->finished(); }
 
 void Pipeline::dropNewestSeeds(std::size_t wanted) {
   const std::vector<Index> locked = lockedFaces(document_.seeds);
@@ -191,11 +149,11 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
     normals_.clear();
   }
   makeStepper(keepFinal ? 1 : static_cast<std::size_t>(document.parameters.maxIterations), creases);
-  const Clock::time_point start = Clock::now();
+  const Stopwatch stopwatch;
   const bool toTheEnd = keepFinal || otherMethod;
   stepper_->advance(toTheEnd ? StepUnit::Converged : StepUnit::Flood, 1, progress);
   keepFlood();
-  timing_.segment = millisecondsSince(start);
+  timing_.segment = stopwatch.milliseconds();
   return true;
 }
 
@@ -223,7 +181,7 @@ void Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
   normals_ = moment.normals;
   makeStepper(moment.finished ? 1 : static_cast<std::size_t>(document.parameters.maxIterations),
               moment.creases);
-  const Clock::time_point start = Clock::now();
+  const Stopwatch stopwatch;
   if (moment.finished) {
     stepper_->advance(StepUnit::Converged, 1, progress);
   } else if (moment.taken >= mesh_->faceCount()) {
@@ -232,127 +190,7 @@ void Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
     stepper_->advance(StepUnit::Face, moment.taken, progress);
   }
   keepFlood();
-  timing_.segment = millisecondsSince(start);
-}
-
-void Pipeline::takeLocks(Progress& progress) {
-  const std::size_t taken = stepper_->record() ? stepper_->record()->size() : mesh_->faceCount();
-  makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
-  if (taken > 0) stepper_->advance(StepUnit::Face, taken, progress);
-  keepFlood();
-}
-
-std::optional<std::uint32_t> Pipeline::wantsCreases() const {
-  const Parameters& p = document_.parameters;
-  const bool wanted =
-      p.method == "t-flooding" && document_.seeds.empty() &&
-      (p.start == "creases" || (p.start == "auto" && suitsCreaseStart({mesh_, gauss_, graph_})));
-  return wanted ? std::optional(static_cast<std::uint32_t>(p.rngSeed)) : std::nullopt;
-}
-
-void Pipeline::makeStepper(std::size_t maxIterations) {
-  makeStepper(maxIterations, wantsCreases());
-}
-
-void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_t> creases) {
-  const Parameters& p = document_.parameters;
-  SegmentOptions options;
-  options.charts = static_cast<std::size_t>(p.charts);
-  options.seeds = seeds_.empty() ? seedFaces(document_.seeds) : seeds_;
-  options.locked = lockedFaces(document_.seeds);
-  locksChanged_ = false;
-  options.offsets = offsets_;
-  options.normals = normals_;
-  options.rngSeed = creases.value_or(static_cast<std::uint32_t>(p.rngSeed));
-  options.useOffsets = p.offsets;
-  options.offsetDamping = p.offsetDamping;
-  options.lookahead = p.lookahead;
-  options.maxIterations = maxIterations;
-  options.patience = static_cast<std::size_t>(p.patience);
-  options.detectCycles = p.detectCycles;
-  options.settle = static_cast<std::size_t>(p.settle);
-  options.keepLast = p.keep == "last";
-  options.refine = refineOptions(p);
-  options.refine.sideFactor = hintFactors(*mesh_, document_.hints);
-  options.vsa = {vsaSeeding(p.vsaSeeding), p.vsaTeleport};
-  options.mcgim = {p.mcgimLambda, p.mcgimNormals == "running", p.mcgimDisks};
-  seedRuns_.reset();
-  onFlood_ = std::make_shared<std::function<void(const FloodStart&)>>(
-      [this](const FloodStart& start) { noteFlood(start); });
-  options.onFlood = [told = onFlood_](const FloodStart& start) { (*told)(start); };
-  stepper_.reset();
-  flood_.reset();
-  floods_.clear();
-  roundsSeen_ = 0;
-  const SegmentInputs inputs{mesh_, gauss_, graph_};
-  creases_ = creases;
-  stepper_ =
-      creases ? makeCreaseStart(inputs, options) : findSegmenter(p.method)->make(inputs, options);
-  timing_.segment = 0;
-  tellChartCount();
-}
-
-void Pipeline::keepFlood() {
-  if (!stepper_ || !flood_) return;
-  const std::size_t rounds = stepper_->history().size();
-  // A flood that was begun again ends as a new round.
-  const std::size_t round = rounds > roundsSeen_ ? rounds - 1 : floodRound_;
-  roundsSeen_ = rounds;
-  if (round >= rounds || flood_->size() < flood_->capacity()) return;
-  floodRound_ = round;
-  floods_.keep(round, flood_, stepper_->bestIteration());
-}
-
-void Pipeline::noteFlood(const FloodStart& start) {
-  keepFlood();
-  flood_ = start.record;
-  floodRound_ = start.iteration;
-  seeds_.assign(start.seeds.begin(), start.seeds.end());
-  offsets_.assign(start.offsets.begin(), start.offsets.end());
-  normals_.assign(start.normals.begin(), start.normals.end());
-  listener_.onFlood(start);
-}
-
-StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress) {
-  const Clock::time_point start = Clock::now();
-  // Who steps on from finished charts wants more rounds: these begin from the best one's seeds.
-  if (!stepper_ || finished()) {
-    progress.beginPhase("Placing seeds");
-    makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
-  } else if (locksChanged_) {
-    takeLocks(progress);
-  }
-  const StepOutcome outcome = stepper_->advance(unit, count, progress);
-  keepFlood();
-  timing_.segment += millisecondsSince(start);
-  if (outcome == StepOutcome::Finished) tellOutcome();
-  return outcome;
-}
-
-void Pipeline::restartFlood() {
-  if (stepper_) stepper_->restartFlood();
-}
-
-void Pipeline::resetSeeds() {
-  seeds_.clear();
-  offsets_.clear();
-  normals_.clear();
-  if (stepper_) makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
-}
-
-StepOutcome Pipeline::adopt(std::size_t iteration, Progress& progress) {
-  if (!stepper_ || iteration >= stepper_->history().size()) return StepOutcome::Advanced;
-  const StepOutcome outcome = stepper_->adopt(iteration, progress);
-  keepFlood();
-  return outcome;
-}
-
-void Pipeline::recall(std::size_t iteration, Progress& progress) {
-  if (!stepper_ || iteration >= stepper_->history().size()) return;
-  const auto kept = floods_.records();
-  std::shared_ptr<const FloodRecord> record = iteration < kept.size() ? kept[iteration] : nullptr;
-  if (!record) record = stepper_->replay(iteration, progress);
-  if (record) floods_.recall(iteration, std::move(record));
+  timing_.segment = stopwatch.milliseconds();
 }
 
 void Pipeline::measure() {
@@ -365,85 +203,6 @@ void Pipeline::measure() {
   if (!same) unwrapAsked_ = false;
   segmentation_ = std::move(now);
   stats_ = std::make_shared<const ChartStats>(measureCharts(*mesh_, *segmentation_));
-}
-
-bool Pipeline::isFlat() const {
-  Stage stage;
-  const bool differs = firstDifference(shownFlat_.parameters, document_.parameters, stage);
-  return shownFlat_.atlas && !stale() && shownFlat_.of == segmentation_ &&
-         !(differs && stage >= Stage::Cut);
-}
-
-bool Pipeline::awaitsUnwrap() const {
-  return complete() && !isFlat() && (finished() || unwrapAsked_);
-}
-
-void Pipeline::dropStaleFlat() {
-  Stage stage = Stage::Layout;
-  const bool changed = firstDifference(flat_.parameters, document_.parameters, stage);
-  if (flat_.of != segmentation_ || (changed && stage <= Stage::Cut)) flat_ = {};
-  if (changed && stage <= Stage::Unwrap) {
-    flat_.charts.reset();
-    flat_.unwrap.reset();
-  }
-  if (changed) flat_.atlas.reset();
-  flat_.of = segmentation_;
-  flat_.parameters = document_.parameters;
-}
-
-bool Pipeline::layFlat(Progress& progress) {
-  dropStaleFlat();
-  const Parameters& p = document_.parameters;
-  if (!flat_.cut) {
-    progress.beginPhase("Cutting into disks");
-    CutOptions options{p.cutHandles, p.cutLoops, p.cutTips, p.tip};
-    const bool wavefront = p.handleSearch == "wavefront";
-    options.handleSearch = wavefront ? HandleSearch::Wavefront : HandleSearch::Shortest;
-    options.seed = static_cast<std::uint32_t>(p.rngSeed);
-    timed(timing_.cut, [&] { flat_.cut = cutCharts(*mesh_, *segmentation_, options, progress); });
-    if (!flat_.cut) return false;
-  }
-  if (!flat_.unwrap) {
-    progress.beginPhase("Laying charts flat");
-    using Boundary = UnwrapOptions::Boundary;
-    const UnwrapOptions options{p.unwrap == "circle" ? Boundary::Circle : Boundary::Free,
-                                p.reliefStretch};
-    timed(timing_.unwrap, [&] {
-      UnwrapResult result = unwrapCharts(*mesh_, flat_.cut, options, progress);
-      flat_.charts = std::move(result.charts);
-      flat_.unwrap = std::move(result.unwrap);
-    });
-    if (!flat_.unwrap) return false;
-  }
-  return true;
-}
-
-bool Pipeline::unwrap(Progress& progress) {
-  unwrapAsked_ = true;
-  if (!layFlat(progress)) return false;
-  const Parameters& p = document_.parameters;
-  if (!flat_.atlas) {
-    progress.beginPhase("Packing the texture");
-    using Kind = LayoutOptions::Kind;
-    const LayoutOptions options{p.layout == "square" ? Kind::Square : Kind::Packed, p.textureSize,
-                                p.margin};
-    timed(timing_.pack,
-          [&] { flat_.atlas = layoutAtlas(*flat_.charts, *flat_.unwrap, options, progress); });
-    if (!flat_.atlas) return false;
-  }
-  const bool cutAnew = shownFlat_.charts != flat_.charts;
-  shownFlat_ = flat_;
-  if (cutAnew) tellNotFlat();
-  return true;
-}
-
-void Pipeline::tellNotFlat() const {
-  for (std::size_t c = 0; c < flat_.unwrap->charts.size(); ++c) {
-    const std::string& problem = flat_.unwrap->charts[c].problem;
-    if (problem.empty()) continue;
-    tell(Notice::Kind::Warning,
-         "Chart " + std::to_string(c) + " could not be flattened: " + problem);
-  }
 }
 
 void Pipeline::report(Results& results) const {
@@ -483,55 +242,6 @@ void Pipeline::reportRounds(Results& results) const {
   results.floods.assign(floods_.records().begin(), floods_.records().end());
   results.floods.resize(results.history.size());
   results.recordIteration = floodRound_;
-}
-
-void Pipeline::tellChartCount() {
-  const std::size_t wanted = static_cast<std::size_t>(document_.parameters.charts);
-  // Methods that come to their charts one by one begin with fewer seeds.
-  const std::size_t locks = lockedFaces(document_.seeds).size();
-  const std::size_t count =
-      effectiveChartCount(*mesh_, document_.parameters.method == "t-flooding"
-                                      ? seeds_.size()
-                                      : std::max({wanted, locks, seeds_.size()}));
-  if (count == wanted || count == toldCharts_) return;
-  toldCharts_ = count;
-  const std::string number = std::to_string(count);
-  const std::size_t locked = lockedFaces(document_.seeds).size();
-  if (count < wanted) {
-    tell(Notice::Kind::Warning, "Only " + number + " faces: K was set to " + number + ".");
-  } else if (locked > wanted && locked >= mesh_->componentCount()) {
-    tell(Notice::Kind::Warning,
-         std::to_string(locked) + " seeds are locked, so K was raised to " + number + ".");
-  } else if (mesh_->componentCount() > wanted) {
-    tell(Notice::Kind::Warning,
-         std::to_string(mesh_->componentCount()) +
-             " separate parts: each gets at least one chart, so K was raised to " + number + ".");
-  }
-}
-
-void Pipeline::tellOutcome() {
-  if (creases_) return tell(Notice::Kind::Info, "Charts begin from the model's creases.");
-  const auto rounds = std::to_string(stepper_->history().size());
-  const auto kept =
-      "round " + std::to_string(stepper_->state()->iteration + 1) + " of " + rounds + " is kept.";
-  switch (stepper_->stopReason()) {
-  case StopReason::Converged:
-    return tell(Notice::Kind::Info, "Stopped: all seeds rest; " + kept);
-  case StopReason::Cycle:
-    return tell(Notice::Kind::Info, "Stopped: the seeds returned to an earlier place; " + kept);
-  case StopReason::MaxIterations:
-    return tell(Notice::Kind::Info, "Stopped after the most iterations allowed; " + kept);
-  case StopReason::NoImprovement:
-    if (document_.parameters.method != "t-flooding") {
-      return tell(Notice::Kind::Info, "Stopped: more rounds bring no better fit; " + kept);
-    }
-    return tell(Notice::Kind::Info, "Stopped: no better balance for " +
-                                        std::to_string(document_.parameters.patience) +
-                                        " rounds; " + kept);
-  case StopReason::NotStopped:
-  case StopReason::Cancelled:
-    return;
-  }
 }
 
 }  // namespace chartflood

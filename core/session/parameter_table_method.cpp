@@ -1,0 +1,109 @@
+// Rows of the parameter table: the methods and what is their own.
+
+#include "core/session/parameter_table.h"
+
+namespace chartflood {
+
+std::vector<ParameterInfo> methodRows() {
+  return {
+      {.id = "method",
+       .label = "Method",
+       .symbol = "",
+       .member = &Parameters::method,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help = "How the pieces are found.",
+       .source = "3",
+       .choices = {{"t-flooding", "T-flooding", true},
+                   {"vsa", "Variational shape approximation", true},
+                   {"mcgim", "Multi-chart geometry images", true}}},
+      {.id = "vsa-seeding",
+       .label = "Coming to pieces",
+       .symbol = "",
+       .member = &Parameters::vsaSeeding,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help =
+           "One by one: a new piece where the planes fit worst. Doubling: one in every piece at "
+           "once. Random: all at once anywhere.",
+       .source = "",
+       .choices = {{"one-by-one", "One by one", true},
+                   {"doubling", "Doubling", true},
+                   {"random", "Random", true}},
+       .method = "vsa"},
+      {.id = "vsa-teleport",
+       .label = "Move stuck pieces",
+       .symbol = "",
+       .member = &Parameters::vsaTeleport,
+       .stage = Stage::Iterations,
+       .group = "Method",
+       .help = "Joins two pieces that hardly differ and spends the freed one where the planes fit "
+               "worst.",
+       .source = "4",
+       .method = "vsa"},
+      {.id = "mcgim-lambda",
+       .label = "Roundness",
+       .symbol = "\u03bb",
+       .member = &Parameters::mcgimLambda,
+       .sliderMin = 1,
+       .sliderMax = 10,
+       .hardMin = 0.1,
+       .hardMax = 1000,
+       .scale = SliderScale::Log,
+       .format = "%.2f",
+       .stage = Stage::Flood,
+       .group = "Method",
+       .help = "Low: pieces keep to flat ground and end at folds. High: round pieces, wherever the "
+               "folds are.",
+       .source = "",
+       .method = "mcgim"},
+      {.id = "mcgim-normals",
+       .label = "Facing of a piece",
+       .symbol = "",
+       .member = &Parameters::mcgimNormals,
+       .stage = Stage::Flood,
+       .group = "Method",
+       .help = "Frozen: which way a piece faces is that of the round before. Running: it follows "
+               "the piece as it grows.",
+       .source = "",
+       .choices = {{"frozen", "Frozen", true}, {"running", "Running", true}},
+       .method = "mcgim"},
+      {.id = "mcgim-disks",
+       .label = "Grow as disks",
+       .symbol = "",
+       .member = &Parameters::mcgimDisks,
+       .stage = Stage::Flood,
+       .group = "Method",
+       .help =
+           "Pieces refuse what would make them rings or give them holes, while there is anything "
+           "else to take.",
+       .source = "",
+       .method = "mcgim"},
+      {.id = "search",
+       .label = "Search",
+       .symbol = "",
+       .member = &Parameters::search,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help =
+           "Literal: the paper's rounds on the whole mesh, every step can be watched. Auto: the "
+           "best one for the size of the mesh.",
+       .source = "3.4",
+       .choices = {{"auto", "Auto", true}, {"literal", "Literal", true}, {"fast", "Fast", false}},
+       .method = "t-flooding"},
+      {.id = "start",
+       .label = "Start",
+       .symbol = "",
+       .member = &Parameters::start,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help =
+           "Flood: seeds far apart, as in the paper. Creases: the parts between sharp edges, for "
+           "machine parts. Auto: creases where these divide the model.",
+       .source = "3.4",
+       .choices = {{"auto", "Auto", true}, {"flood", "Flood", true}, {"creases", "Creases", true}},
+       .method = "t-flooding"},
+  };
+}
+
+}  // namespace chartflood

@@ -1,0 +1,103 @@
+// The stages after the labels: cuts, unwrap and texture.
+
+#include <utility>
+
+#include "core/base/stopwatch.h"
+#include "core/charts/cut_charts.h"
+#include "core/pack/layout_atlas.h"
+#include "core/param/unwrap_charts.h"
+#include "core/session/pipeline.h"
+
+namespace chartflood {
+
+namespace {
+
+template <class Work>
+void timed(double& milliseconds, Work&& work) {
+  const Stopwatch stopwatch;
+  work();
+  milliseconds = stopwatch.milliseconds();
+}
+
+}  // namespace
+
+bool Pipeline::isFlat() const {
+  Stage stage;
+  const bool differs = firstDifference(shownFlat_.parameters, document_.parameters, stage);
+  return shownFlat_.atlas && !stale() && shownFlat_.of == segmentation_ &&
+         !(differs && stage >= Stage::Cut);
+}
+
+bool Pipeline::awaitsUnwrap() const {
+  return complete() && !isFlat() && (finished() || unwrapAsked_);
+}
+
+void Pipeline::dropStaleFlat() {
+  Stage stage = Stage::Layout;
+  const bool changed = firstDifference(flat_.parameters, document_.parameters, stage);
+  if (flat_.of != segmentation_ || (changed && stage <= Stage::Cut)) flat_ = {};
+  if (changed && stage <= Stage::Unwrap) {
+    flat_.charts.reset();
+    flat_.unwrap.reset();
+  }
+  if (changed) flat_.atlas.reset();
+  flat_.of = segmentation_;
+  flat_.parameters = document_.parameters;
+}
+
+bool Pipeline::layFlat(Progress& progress) {
+  dropStaleFlat();
+  const Parameters& p = document_.parameters;
+  if (!flat_.cut) {
+    progress.beginPhase("Cutting into disks");
+    CutOptions options{p.cutHandles, p.cutLoops, p.cutTips, p.tip};
+    const bool wavefront = p.handleSearch == "wavefront";
+    options.handleSearch = wavefront ? HandleSearch::Wavefront : HandleSearch::Shortest;
+    options.seed = static_cast<std::uint32_t>(p.rngSeed);
+    timed(timing_.cut, [&] { flat_.cut = cutCharts(*mesh_, *segmentation_, options, progress); });
+    if (!flat_.cut) return false;
+  }
+  if (!flat_.unwrap) {
+    progress.beginPhase("Laying charts flat");
+    using Boundary = UnwrapOptions::Boundary;
+    const UnwrapOptions options{p.unwrap == "circle" ? Boundary::Circle : Boundary::Free,
+                                p.reliefStretch};
+    timed(timing_.unwrap, [&] {
+      UnwrapResult result = unwrapCharts(*mesh_, flat_.cut, options, progress);
+      flat_.charts = std::move(result.charts);
+      flat_.unwrap = std::move(result.unwrap);
+    });
+    if (!flat_.unwrap) return false;
+  }
+  return true;
+}
+
+bool Pipeline::unwrap(Progress& progress) {
+  unwrapAsked_ = true;
+  if (!layFlat(progress)) return false;
+  const Parameters& p = document_.parameters;
+  if (!flat_.atlas) {
+    progress.beginPhase("Packing the texture");
+    using Kind = LayoutOptions::Kind;
+    const LayoutOptions options{p.layout == "square" ? Kind::Square : Kind::Packed, p.textureSize,
+                                p.margin};
+    timed(timing_.pack,
+          [&] { flat_.atlas = layoutAtlas(*flat_.charts, *flat_.unwrap, options, progress); });
+    if (!flat_.atlas) return false;
+  }
+  const bool cutAnew = shownFlat_.charts != flat_.charts;
+  shownFlat_ = flat_;
+  if (cutAnew) tellNotFlat();
+  return true;
+}
+
+void Pipeline::tellNotFlat() const {
+  for (std::size_t c = 0; c < flat_.unwrap->charts.size(); ++c) {
+    const std::string& problem = flat_.unwrap->charts[c].problem;
+    if (problem.empty()) continue;
+    tell(Notice::Kind::Warning,
+         "Chart " + std::to_string(c) + " could not be flattened: " + problem);
+  }
+}
+
+}  // namespace chartflood

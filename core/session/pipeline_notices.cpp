@@ -1,0 +1,65 @@
+// What the user is told of a run.
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/segment/seeds.h"
+#include "core/session/pipeline.h"
+
+namespace chartflood {
+
+void Pipeline::tell(Notice::Kind kind, std::string text) const {
+  listener_.onNotice({kind, std::move(text)});
+}
+
+void Pipeline::tellChartCount() {
+  const std::size_t wanted = static_cast<std::size_t>(document_.parameters.charts);
+  // Methods that come to their charts one by one begin with fewer seeds.
+  const std::size_t locks = lockedFaces(document_.seeds).size();
+  const std::size_t count =
+      effectiveChartCount(*mesh_, document_.parameters.method == "t-flooding"
+                                      ? seeds_.size()
+                                      : std::max({wanted, locks, seeds_.size()}));
+  if (count == wanted || count == toldCharts_) return;
+  toldCharts_ = count;
+  const std::string number = std::to_string(count);
+  const std::size_t locked = lockedFaces(document_.seeds).size();
+  if (count < wanted) {
+    tell(Notice::Kind::Warning, "Only " + number + " faces: K was set to " + number + ".");
+  } else if (locked > wanted && locked >= mesh_->componentCount()) {
+    tell(Notice::Kind::Warning,
+         std::to_string(locked) + " seeds are locked, so K was raised to " + number + ".");
+  } else if (mesh_->componentCount() > wanted) {
+    tell(Notice::Kind::Warning,
+         std::to_string(mesh_->componentCount()) +
+             " separate parts: each gets at least one chart, so K was raised to " + number + ".");
+  }
+}
+
+void Pipeline::tellOutcome() {
+  if (creases_) return tell(Notice::Kind::Info, "Charts begin from the model's creases.");
+  const auto rounds = std::to_string(stepper_->history().size());
+  const auto kept =
+      "round " + std::to_string(stepper_->state()->iteration + 1) + " of " + rounds + " is kept.";
+  switch (stepper_->stopReason()) {
+  case StopReason::Converged:
+    return tell(Notice::Kind::Info, "Stopped: all seeds rest; " + kept);
+  case StopReason::Cycle:
+    return tell(Notice::Kind::Info, "Stopped: the seeds returned to an earlier place; " + kept);
+  case StopReason::MaxIterations:
+    return tell(Notice::Kind::Info, "Stopped after the most iterations allowed; " + kept);
+  case StopReason::NoImprovement:
+    if (document_.parameters.method != "t-flooding") {
+      return tell(Notice::Kind::Info, "Stopped: more rounds bring no better fit; " + kept);
+    }
+    return tell(Notice::Kind::Info, "Stopped: no better balance for " +
+                                        std::to_string(document_.parameters.patience) +
+                                        " rounds; " + kept);
+  case StopReason::NotStopped:
+  case StopReason::Cancelled:
+    return;
+  }
+}
+
+}  // namespace chartflood
