@@ -1,5 +1,6 @@
 // The tabs that show why: bars, table, sphere and model point at the same chart.
 
+#include <cmath>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -97,6 +98,39 @@ TEST(Plots, HistogramFollowsTheColourMode) {
   ui.key("3");
   ui.frames(3);
   EXPECT_TRUE(ui.has("bars/plot/values2"));
+}
+
+TEST(Plots, AClickUsesATriedNumberOfPieces) {
+  WithTab ui("plots", {1280, 1400});
+  EXPECT_FALSE(ui.has("plot/counts")) << "nothing was tried";
+  ui.state().perform(ui.actions(), "find-charts");
+  ui.frames(4);
+  const auto set = ui.state().results().chartRuns;
+  ASSERT_TRUE(set);
+  ASSERT_GT(set->runs.size(), 3u);
+  const ProbedItem plot = ui.item("bars/plot/counts");
+  // Equal ratios of pieces take equal widths.
+  const float margin = 8, width = plot.max.x - plot.min.x - 2 * margin;
+  const auto place = [&](std::size_t run) {
+    const double first = std::log(set->runs.front().charts);
+    const double span = std::log(set->runs.back().charts) - first;
+    const double share = (std::log(set->runs[run].charts) - first) / span;
+    return ImVec2{plot.min.x + margin + static_cast<float>(share) * width, plot.center().y};
+  };
+  for (const std::size_t run : {std::size_t{0}, std::size_t{2}, set->runs.size() - 1}) {
+    const std::string number = std::to_string(set->runs[run].charts);
+    ui.moveTo(place(run));
+    ui.frames(2);
+    ui.press();
+    ui.release();
+    ui.frames(4);
+    EXPECT_EQ(ui.lastLine(), "use-count " + number);
+    EXPECT_EQ(ui.state().document().parameters.charts, static_cast<int>(set->runs[run].charts));
+    EXPECT_EQ(ui.state().results().segmentation->chartCount, set->runs[run].charts);
+  }
+  ui.state().perform(ui.actions(), "undo");
+  ui.frames(4);
+  EXPECT_EQ(ui.state().document().parameters.charts, static_cast<int>(set->runs[2].charts));
 }
 
 TEST(Plots, ADoubleClickUsesARound) {
