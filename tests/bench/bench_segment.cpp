@@ -159,12 +159,14 @@ void borderMoves(benchmark::State& state, const std::string& name) {
   perFace(state, p);
 }
 
+/// On clusters first, and on single faces throughout: the energies tell what the clusters cost.
+template <bool kClusters>
 void seamCuts(benchmark::State& state, const std::string& name) {
   const Prepared& p = prepared(name);
   double energy = 0;
   for (auto _ : state) {
     SeamCuts cuts(*p.in.mesh, *p.in.gaussArea, p.faceGauss, p.flooded->label, p.flooded->chartCount,
-                  p.flooded->seeds, {.eta = p.in.floodGraph->eta});
+                  p.flooded->seeds, {.eta = p.in.floodGraph->eta, .clusters = kClusters});
     Progress progress;
     cuts.run(progress);
     energy = cuts.energy();
@@ -209,12 +211,14 @@ void registerAll(const std::string& mesh) {
                                                   {"cursor", cursor},
                                                   {"reposition", reposition},
                                                   {"moves", borderMoves},
-                                                  {"cuts", seamCuts},
+                                                  {"cuts", seamCuts<true>},
+                                                  {"cuts_full", seamCuts<false>},
                                                   {"figures", chartFigures},
                                                   {"segment", wholeSegmentation<kTFlooding>},
                                                   {"vsa", wholeSegmentation<kVsa>},
                                                   {"mcgim", wholeSegmentation<kMcgim>}};
   for (const auto& [name, stage] : stages) {
+    if (stage == seamCuts<false> && mesh == "bumps/1000000") continue;  // takes minutes
     benchmark::RegisterBenchmark((std::string(name) + "/" + mesh).c_str(),
                                  [stage = stage, mesh](benchmark::State& s) { stage(s, mesh); })
         ->Unit(benchmark::kMillisecond);
