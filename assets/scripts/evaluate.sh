@@ -5,7 +5,8 @@
 # PROGRAM is the built chartflood, a NAME a file of the mesh folder or sample:NAME; without names the
 # usual ones that the folder has. The output folder gets evaluation.md with all tables, pictures/ with
 # figure 5 (Gauss area of corners, creases and triangles) and figure 6 (charts and checkerboards of the
-# three methods), and data/ with every figure as JSON, text and one table of values (all.tsv).
+# three methods), and data/ with every figure as JSON, text and one table of values (all.tsv). Every
+# comparison runs with the generator seeds 1, 2 and 3, the page has the medians; pictures are of seed 1.
 set -euo pipefail
 if [ $# -lt 3 ]; then
   echo "usage: $0 PROGRAM MESH-FOLDER OUTPUT-FOLDER [NAME..]" >&2
@@ -26,26 +27,26 @@ mkdir -p "$out/pictures" "$out/data"
 table=$out/data/all.tsv
 : >"$table"
 
-# Rows of the table of values from the text of one comparison: mesh, triangles, parameters, borders
-# (left or alike), then what the text says of each method.
+# Rows of the table of values from the text of one comparison: mesh, triangles, parameters, generator
+# seed, borders (left or alike), then what the text says of each method.
 rows() {
-  awk -v mesh="$1" -v triangles="$2" -v set="$3" -v OFS='\t' '
+  awk -v mesh="$1" -v triangles="$2" -v set="$3" -v seed="$4" -v OFS='\t' '
     /^Charts as each/ { borders = "left" }
     /^The same borders/ { borders = "alike" }
     $1 ~ /^(mcgim|vsa|t-flooding)$/ {
       sub("%", "", $11)
-      print mesh, triangles, set, borders, $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12
-    }' "$4"
+      print mesh, triangles, set, seed, borders, $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12
+    }' "$5"
 }
 
-# One comparison: short name of the mesh, name of the parameters, then the options.
+# One comparison: short name of the mesh, name of the parameters, generator seed, then the options.
 compare() {
-  local base=$out/data/$1-$2
-  "$program" "${source[@]}" --charts=20 --compare=mcgim,vsa,t-flooding --verbose=error \
-    --report="$base.json" "${@:3}" >"$base.txt"
+  local base=$out/data/$1-$2-$3
+  "$program" "${source[@]}" --charts=20 --compare=mcgim,vsa,t-flooding --rng-seed="$3" \
+    --verbose=error --report="$base.json" "${@:4}" >"$base.txt"
   local triangles
   triangles=$(grep -o '"triangles": *[0-9]*' "$base.json" | head -1 | grep -o '[0-9]*$')
-  rows "$1" "$triangles" "$2" "$base.txt" >>"$table"
+  rows "$1" "$triangles" "$2" "$3" "$base.txt" >>"$table"
 }
 
 for name in "${names[@]}"; do
@@ -64,9 +65,16 @@ for name in "${names[@]}"; do
       --resolution=270,330 --output="$out/pictures/$short-gauss-$element.png"
   done
   figure=("${look[@]}" --color-by=charts,checkerboard --resolution=780,740)
-  compare "$short" paper --preset=$paper "${figure[@]}" --output="$out/pictures/$short-paper.png"
-  compare "$short" ours "${figure[@]}" --output="$out/pictures/$short-ours.png"
-  compare "$short" moves --refine=moves
+  for seed in 1 2 3; do
+    paperPicture=() oursPicture=()
+    if [ $seed = 1 ]; then
+      paperPicture=("${figure[@]}" --output="$out/pictures/$short-paper.png")
+      oursPicture=("${figure[@]}" --output="$out/pictures/$short-ours.png")
+    fi
+    compare "$short" paper $seed --preset=$paper "${paperPicture[@]}"
+    compare "$short" ours $seed "${oursPicture[@]}"
+    compare "$short" moves $seed --refine=moves
+  done
 done
 awk -f "$here/evaluation_page.awk" "$table" | cat -s >"$out/evaluation.md"
 echo "$out/evaluation.md" >&2
