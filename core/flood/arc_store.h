@@ -44,7 +44,7 @@ class ArcStore {
   }
 
   template <class Offer>
-  void forEachOffer(Index face, Index chart, const Offer& offer) const {
+  void forEachOffer(Index face, Index chart, float time, const Offer& offer) const {
     for (const FloodArc& arc : arcs(face)) {
       if (label_[arc.face] != kNone) continue;
       const auto there = arcs(arc.face);
@@ -55,7 +55,7 @@ class ArcStore {
       const auto shared = std::count_if(there.begin(), there.end(),
                                         [&](const FloodArc& back) { return back.face == face; });
       if (incidences != shared || !firstArcTo(face, arc)) continue;
-      offer(arc.face, arc.delay);
+      offer(arc.face, time + arc.delay);
     }
   }
 

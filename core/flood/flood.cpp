@@ -2,8 +2,10 @@
 
 #include <cstdint>
 
+#include "core/base/check.h"
 #include "core/flood/arc_store.h"
 #include "core/flood/flood_engine.h"
+#include "core/flood/node_store.h"
 #include "core/flood/triangle_store.h"
 
 namespace chartflood {
@@ -27,8 +29,12 @@ double meanDelay(const FloodGraph& graph) {
 
 }  // namespace
 
-std::unique_ptr<Flood> makeFlood(const FloodGraph& graph, std::size_t chartCount) {
+std::unique_ptr<Flood> makeFlood(const FloodGraph& graph, std::size_t chartCount, OfferRule rule) {
   const double mean = meanDelay(graph);
+  if (rule == OfferRule::ShortestTimes) {
+    CF_CHECK(!graph.packed());
+    return std::make_unique<FloodEngine<NodeStore>>(graph, mean);
+  }
   if (graph.packed() && chartCount <= TriangleStore<std::uint8_t>::kMaxCharts) {
     return std::make_unique<FloodEngine<TriangleStore<std::uint8_t>>>(graph, mean);
   }

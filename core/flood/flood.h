@@ -21,6 +21,12 @@ struct FloodCounts {
   std::uint64_t pops = 0;  ///< includes faces that another chart had taken
 };
 
+/// When a face may enter a chart's heap.
+enum class OfferRule {
+  FirstIncidence,  ///< once, when the chart first touches it: the paper's rule
+  ShortestTimes,   ///< each time a neighbour is taken; the earliest time counts
+};
+
 /// A flood that can stop after any face and go on. Keeps its buffers between rounds.
 class Flood {
  public:
@@ -52,6 +58,8 @@ class Flood {
 };
 
 /// A flood over `graph`, which must outlive it, with room for `chartCount` charts.
-std::unique_ptr<Flood> makeFlood(const FloodGraph& graph, std::size_t chartCount);
+/// \pre graphs for shortest times have the layout of arcs
+std::unique_ptr<Flood> makeFlood(const FloodGraph& graph, std::size_t chartCount,
+                                 OfferRule rule = OfferRule::FirstIncidence);
 
 }  // namespace chartflood

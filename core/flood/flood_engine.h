@@ -109,8 +109,8 @@ class FloodEngine final : public Flood {
     ++counts_.takes;
     if (record_) record_->append(face, chart, time);
     MinHeap& heap = charts_[chart].heap;
-    store_.forEachOffer(face, chart, [&](Index neighbour, float delay) {
-      const TimedFace offer = timedFace(time + delay, neighbour);
+    store_.forEachOffer(face, chart, time, [&](Index neighbour, float arrival) {
+      const TimedFace offer = timedFace(arrival, neighbour);
       if (fromHeap) {
         heap.replaceTop(offer);
         fromHeap = false;

@@ -67,10 +67,10 @@ class TriangleStore {
     return sum;
   }
 
-  /// Calls `offer(neighbour, delay)` for each free neighbour of a face just taken that no other
-  /// face of the chart has offered before ("first incidence").
+  /// Calls `offer(neighbour, arrival)` for each free neighbour of a face just taken at `time` that
+  /// no other face of the chart has offered before ("first incidence").
   template <class Offer>
-  void forEachOffer(Index face, Index chart, const Offer& offer) const {
+  void forEachOffer(Index face, Index chart, float time, const Offer& offer) const {
     const FloodFace& record = graph_.faces[face];
     const Word& word = words_[face];
     for (int k = 0; k < 3; ++k) {
@@ -80,7 +80,7 @@ class TriangleStore {
       const int incidences =
           (there.across[0] == chart) + (there.across[1] == chart) + (there.across[2] == chart);
       if (incidences == 1 || onlyMeetsHere(record, k, incidences)) {
-        offer(neighbour, record.delay[k]);
+        offer(neighbour, time + record.delay[k]);
       }
     }
   }

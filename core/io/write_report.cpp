@@ -149,6 +149,7 @@ Json resultJson(const ResultReport& result) {
   Json charts = Json::array();
   for (const ChartReport& chart : result.perChart) charts.push_back(chartJson(chart));
   return {{"method", result.method},
+          {"search", result.search ? Json(*result.search) : Json(nullptr)},
           {"charts", result.charts},
           {"iterations", result.iterations},
           {"best_iteration", whole(result.bestIteration)},

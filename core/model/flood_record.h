@@ -29,6 +29,11 @@ class FloodRecord {
   void append(Index face, Index chart, float time) { log_[written_++] = {face, chart, time}; }
   /// Writer only: makes everything appended so far visible.
   void publish() { published_.store(written_, std::memory_order_release); }
+  /// Writer only, while nobody reads: forgets everything.
+  void rewind() {
+    written_ = 0;
+    publish();
+  }
 
   /// Number of incorporations that may be read.
   std::size_t size() const { return published_.load(std::memory_order_acquire); }

@@ -83,6 +83,7 @@ struct TimingReport {
 /// One method's result.
 struct ResultReport {
   std::string method;
+  std::optional<std::string> search;  ///< "literal" or "fast", of t-flooding
   std::size_t charts = 0;
   std::size_t iterations = 0;
   std::optional<std::size_t> bestIteration;  ///< absent before the first round is done

@@ -14,6 +14,8 @@ const char* stopReasonId(StopReason reason) {
     return "max-iterations";
   case StopReason::NoImprovement:
     return "no-improvement";
+  case StopReason::Balanced:
+    return "balanced";
   case StopReason::Cancelled:
     return "cancelled";
   }

@@ -19,11 +19,22 @@ enum class StopReason {
   Cycle,          ///< a set of seeds returned
   MaxIterations,  ///< the limit of rounds was reached
   NoImprovement,  ///< no better balance for `patience` rounds
+  Balanced,       ///< the charts are as even as the fast search asks for
   Cancelled,      ///< stopped by the user
 };
 
 /// Stable id for reports ("no-improvement") .
 const char* stopReasonId(StopReason reason);
+
+/// Besides seeds and offsets, what a flood of the fast search runs on; see makeFastFlooding().
+struct FastFlood {
+  std::vector<Index> starts;  ///< faces that begin clusters wherever they are, ascending
+  /// Offsets of the flood of a band around the seams of the clusters' charts, one a seed,
+  /// steradians; empty: the clusters themselves are flooded.
+  std::vector<double> band;
+
+  bool operator==(const FastFlood&) const = default;
+};
 
 /// One round of flooding, as kept in the history.
 struct IterationSummary {
@@ -34,6 +45,7 @@ struct IterationSummary {
   std::vector<Index> seeds;         ///< seed face of each chart in this round
   std::vector<double> offsets;      ///< Gauss-area offset of each chart in this round, steradians
   std::vector<glm::dvec3> normals;  ///< of each chart in this round, where charts grow by normals
+  std::vector<double> band;         ///< as in FastFlood, of rounds of the fast search
   double cost = 0;  ///< what such a method lowers, in normalised units; 0 with t-flooding
 };
 

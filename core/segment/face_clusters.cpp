@@ -23,7 +23,7 @@ void spread(const Mesh& mesh, std::span<const Index> label, std::vector<Index>& 
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const Index f = queue[i];
     forNeighbours(mesh, f, [&](Index g) {
-      if (cluster[g] != kNone || label[g] != label[f]) return;
+      if (cluster[g] != kNone || (!label.empty() && label[g] != label[f])) return;
       cluster[g] = cluster[f];
       queue.push_back(g);
     });
@@ -33,22 +33,31 @@ void spread(const Mesh& mesh, std::span<const Index> label, std::vector<Index>& 
 
 }  // namespace
 
-FaceClusters clusterFaces(const Mesh& mesh, std::span<const Index> label, std::size_t size) {
+FaceClusters clusterFaces(const Mesh& mesh, std::span<const Index> label, std::size_t size,
+                          std::span<const Index> alsoStarts) {
   FaceClusters clusters;
   const Index faces = static_cast<Index>(mesh.faceCount());
   clusters.ofFace.assign(faces, kNone);
   std::vector<Index> queue;
   queue.reserve(faces);
-  for (std::size_t f = 0; f < faces; f += size) {
+  const auto begin = [&](Index f) {
     clusters.ofFace[f] = static_cast<Index>(clusters.count++);
-    queue.push_back(static_cast<Index>(f));
+    clusters.start.push_back(f);
+    queue.push_back(f);
+  };
+  auto also = alsoStarts.begin();
+  for (std::size_t f = 0; f < faces; f += size) {
+    for (; also != alsoStarts.end() && *also <= f; ++also) {
+      if (*also < f) begin(*also);
+    }
+    begin(static_cast<Index>(f));
   }
+  for (; also != alsoStarts.end(); ++also) begin(*also);
   spread(mesh, label, clusters.ofFace, queue);
   // Parts of charts without a start are clusters of their own.
   for (Index f = 0; f < faces; ++f) {
     if (clusters.ofFace[f] != kNone) continue;
-    clusters.ofFace[f] = static_cast<Index>(clusters.count++);
-    queue.push_back(f);
+    begin(f);
     spread(mesh, label, clusters.ofFace, queue);
   }
   clusters.firstFixed = clusters.count;

@@ -16,11 +16,15 @@ struct FaceClusters {
   std::vector<Index> ofFace;
   std::size_t count = 0;
   std::size_t firstFixed = 0;  ///< clusters from here on lie far from all seams
+  std::vector<Index> start;    ///< face that each cluster was begun with; of clusterFaces() only
 };
 
 /// Every `size`-th face starts a cluster, and one breadth-first search inside the charts shares out
 /// the rest. With size 1 every face is a cluster. Cost: linear.
-FaceClusters clusterFaces(const Mesh& mesh, std::span<const Index> label, std::size_t size);
+/// \param label chart of each face; empty: all are in one
+/// \param alsoStarts more faces that start a cluster, ascending
+FaceClusters clusterFaces(const Mesh& mesh, std::span<const Index> label, std::size_t size,
+                          std::span<const Index> alsoStarts = {});
 
 /// Faces up to `rings` steps from a seam are clusters of their own; each connected rest of a chart
 /// is one big cluster. Cost: linear.

@@ -127,7 +127,9 @@ bool FloodRounds::completeFlood(Progress& progress) {
 /// After a finished round: begins the next one, or when a stop rule fired, finishes everything.
 bool FloodRounds::leaveFlooded(Progress& progress) {
   if (phase_ == Phase::Flooded && stopReason_ == StopReason::NotStopped) {
-    movedSeeds_ = takeNext();
+    const std::optional<std::size_t> moved = takeNext(progress);
+    if (!moved) return false;
+    movedSeeds_ = *moved;
     iteration_ = history_.size();
     restartFlood();
   }
@@ -143,13 +145,14 @@ void FloodRounds::judgeRound() {
   summary.seeds.assign(start.seeds.begin(), start.seeds.end());
   summary.offsets.assign(start.offsets.begin(), start.offsets.end());
   summary.normals.assign(start.normals.begin(), start.normals.end());
+  if (start.fast) summary.band = start.fast->band;
   history_.push_back(std::move(summary));
   const Judgement judgement = judge();
   stopReason_ = judgement.stop;
   phase_ = Phase::Flooded;
   if (!judgement.best) return;
   best_ = iteration_;
-  bestLabel_ = labels();
+  keepBest();
 }
 
 /// Adopts the round to be kept and refines its borders.
@@ -159,7 +162,7 @@ bool FloodRounds::finish(Progress& progress) {
     // The log of the present flood must be the one of the labels that are shown.
     const bool again = kept != iteration_ && (record_ || options_.keepLast);
     if (again && !floodAgain(kept, progress)) return false;
-    finalLabel_ = options_.keepLast ? labels() : bestLabel_;
+    finalLabel_ = options_.keepLast ? labels() : bestLabels();
     standAt(history_[kept]);
     iteration_ = kept;
     phase_ = Phase::Refining;

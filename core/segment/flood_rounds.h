@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/segment/border_refiner.h"
@@ -60,8 +61,9 @@ class FloodRounds : public Stepper {
   /// After measure(), once for each new round, which is the last of the history: plans the next one
   /// or says why to stop.
   virtual Judgement judge() = 0;
-  /// What was planned becomes present; returns how many seeds are elsewhere.
-  virtual std::size_t takeNext() = 0;
+  /// What was planned becomes present; returns how many seeds are elsewhere. Nothing when cancelled
+  /// before: everything is as it was.
+  virtual std::optional<std::size_t> takeNext(Progress& progress) = 0;
   /// A round of the history becomes present.
   virtual void standAt(const IterationSummary& round) = 0;
   /// Floods a round of the history again, away from the flood at hand. False when cancelled.
@@ -69,6 +71,11 @@ class FloodRounds : public Stepper {
                           Progress* progress) const = 0;
 
   virtual const char* phaseName() const = 0;  ///< of a flood, for the user
+
+  /// The round at hand is the best so far: its labels are kept until a better one comes.
+  virtual void keepBest() { bestLabel_ = labels(); }
+  /// The labels that were kept last.
+  virtual std::vector<Index> bestLabels() const { return bestLabel_; }
 
  private:
   enum class Phase {

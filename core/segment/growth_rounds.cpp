@@ -80,7 +80,7 @@ class GrowthRounds final : public FloodRounds {
     return judgement;
   }
 
-  std::size_t takeNext() override {
+  std::optional<std::size_t> takeNext(Progress&) override {
     std::size_t moved = 0;
     for (std::size_t c = 0; c < next_.seeds.size(); ++c) {
       moved += c >= start_.seeds.size() || start_.seeds[c] != next_.seeds[c];

@@ -12,6 +12,9 @@ namespace chartflood {
 /// Number of charts in force: every component needs one, no more than there are faces.
 std::size_t effectiveChartCount(const Mesh& mesh, std::size_t requested);
 
+/// \throws UsageError when a given seed is no face of the mesh or is given twice.
+void checkSeeds(const Mesh& mesh, std::span<const Index> given);
+
 /// Chooses `count` distinct faces (effectiveChartCount says how many are possible).
 ///
 /// `given` seeds come first, in their order. Without any, the first is uniformly random. Then one

@@ -85,6 +85,13 @@ struct FloodStart {
       {};  ///< of methods that grow by normals, one a seed; or none
   /// Shows charts from creases, made with this generator seed, instead of a flood.
   std::optional<std::uint32_t> creases = {};
+  std::optional<FastFlood> fast = {};  ///< of the fast search only
+};
+
+/// What t-flooding floods round after round.
+enum class SearchKind {
+  Literal,  ///< the whole mesh: the paper's way
+  Fast,     ///< a coarse graph, then a band around the seams: makeFastFlooding()
 };
 
 /// How variational shape approximation comes to its charts.
@@ -132,6 +139,8 @@ struct SegmentOptions {
   std::vector<double> offsets;      ///< of the first round, one per seed; empty: zero
   std::vector<glm::dvec3> normals;  ///< of the first round, one per seed; empty: those of the faces
   std::uint32_t rngSeed = 1;
+  SearchKind search = SearchKind::Literal;
+  FastFlood fast;  ///< what the first flood of the fast search runs on, to go on from
   bool useOffsets = true;
   double offsetDamping = 0.3;
   bool lookahead = true;

@@ -8,9 +8,9 @@
 #include "core/flood/flood.h"
 #include "core/segment/balance.h"
 #include "core/segment/chart_areas.h"
-#include "core/segment/convergence.h"
+#include "core/segment/fast_flooding.h"
 #include "core/segment/flood_rounds.h"
-#include "core/segment/offsets.h"
+#include "core/segment/round_plan.h"
 #include "core/segment/seeds.h"
 
 namespace chartflood {
@@ -20,23 +20,22 @@ namespace {
 class TFlooding final : public FloodRounds {
  public:
   TFlooding(const SegmentInputs& inputs, const SegmentOptions& options)
-      : FloodRounds("t-flooding", inputs, options),
-        convergence_({options.maxIterations, options.patience, options.detectCycles,
-                      options.useOffsets && options.offsetDamping > 0, options.settle}) {
+      : FloodRounds("t-flooding", inputs, options), locked_(options.locked) {
     Rng rng(options.rngSeed);
     const std::size_t wanted = std::max(options.charts, options.seeds.size());
-    seeds_ = placeSeeds(mesh(), effectiveChartCount(mesh(), wanted), options.seeds,
-                        componentWeights(), rng);
-    offsets_ = options.offsets;
-    offsets_.resize(seeds_.size(), 0);
-    flood_ = makeFlood(*inputs.floodGraph, seeds_.size());
+    plan_ = RoundPlan(options, options.maxIterations,
+                      placeSeeds(mesh(), effectiveChartCount(mesh(), wanted), options.seeds,
+                                 componentWeights(), rng),
+                      options.offsets);
+    flood_ = makeFlood(*inputs.floodGraph, plan_.seeds().size());
+    std::sort(locked_.begin(), locked_.end());
     restartFlood();
   }
 
  private:
-  FloodStart present() const override { return {nullptr, 0, seeds_, offsets_}; }
+  FloodStart present() const override { return {nullptr, 0, plan_.seeds(), plan_.offsets()}; }
   void startFlood(std::shared_ptr<FloodRecord> record) override {
-    flood_->start(seeds_, offsets_, options().lookahead, std::move(record));
+    flood_->start(plan_.seeds(), plan_.offsets(), options().lookahead, std::move(record));
   }
   std::size_t take(std::size_t count, Progress* progress) override {
     return flood_->advance(count, progress);
@@ -57,7 +56,7 @@ class TFlooding final : public FloodRounds {
   }
 
   IterationSummary measure() override {
-    areas_ = chartAreas(mesh(), *inputs().gaussArea, faceGauss(), labels(), seeds_.size());
+    areas_ = chartAreas(mesh(), *inputs().gaussArea, faceGauss(), labels(), plan_.seeds().size());
     balance_ = balanceOf(areas_.gaussArea);
     IterationSummary summary;
     summary.stdOverMean = balance_.stdOverMean();
@@ -65,46 +64,18 @@ class TFlooding final : public FloodRounds {
     return summary;
   }
 
-  /// Sections 3.4 and 3.5.
-  void planNext() override {
-    nextSeeds_ = flood_->farthestFromBorder(seeds_);
-    for (std::size_t c = 0; c < seeds_.size(); ++c) {
-      if (options().isLocked(seeds_[c])) nextSeeds_[c] = seeds_[c];
-    }
-    nextOffsets_ = offsets_;
-    if (options().useOffsets) {
-      updateOffsets(nextOffsets_, areas_.gaussArea, options().offsetDamping);
-    }
-  }
+  void planNext() override { plan_.plan(*flood_, areas_.gaussArea, locked_); }
 
   Judgement judge() override {
     planNext();
-    const double badness = balance_.defined ? balance_.stdOverMean() : balance_.std;
-    const bool settling = convergence_.settling();
-    Judgement judgement;
-    judgement.stop = convergence_.round(seeds_, nextSeeds_, badness);
-    judgement.best = convergence_.best() + 1 == history().size();
-    if (judgement.best) offsetsAfterBest_ = nextOffsets_;
-    if (settling) {
-      nextSeeds_ = seeds_;
-    } else if (convergence_.settling()) {
-      nextSeeds_ = history()[convergence_.best()].seeds;
-      nextOffsets_ = offsetsAfterBest_;
-    }
-    return judgement;
+    const StopReason stop = plan_.judge(balance_.defined ? balance_.stdOverMean() : balance_.std);
+    return {stop, plan_.newBest()};
   }
 
-  std::size_t takeNext() override {
-    std::size_t moved = 0;
-    for (std::size_t c = 0; c < seeds_.size(); ++c) moved += seeds_[c] != nextSeeds_[c];
-    seeds_ = nextSeeds_;
-    offsets_ = nextOffsets_;
-    return moved;
-  }
+  std::optional<std::size_t> takeNext(Progress&) override { return plan_.takeNext(); }
 
   void standAt(const IterationSummary& round) override {
-    seeds_ = round.seeds;
-    offsets_ = round.offsets;
+    plan_.standAt(round.seeds, round.offsets);
   }
 
   /// What each component has to share out among its charts: Gauss area and a little surface.
@@ -119,17 +90,17 @@ class TFlooding final : public FloodRounds {
     return weight;
   }
 
+  RoundPlan plan_;
   std::unique_ptr<Flood> flood_;
-  std::vector<Index> seeds_, nextSeeds_;
-  std::vector<double> offsets_, nextOffsets_, offsetsAfterBest_;
+  std::vector<Index> locked_;
   ChartAreas areas_;  ///< of the finished flood
   Balance balance_;
-  Convergence convergence_;
 };
 
 }  // namespace
 
 std::unique_ptr<Stepper> makeTFlooding(const SegmentInputs& inputs, const SegmentOptions& options) {
+  if (searchesFast(*inputs.mesh, options)) return makeFastFlooding(inputs, options);
   return std::make_unique<TFlooding>(inputs, options);
 }
 

@@ -13,6 +13,7 @@
 #include "core/base/index.h"
 #include "core/model/edge_hints.h"
 #include "core/model/mesh.h"
+#include "core/model/segmentation.h"
 #include "core/session/parameters.h"
 
 namespace chartflood {
@@ -45,6 +46,7 @@ struct FloodMoment {
   std::vector<glm::dvec3> normals;  ///< of that flood's charts, one a seed or none
   /// The charts are from creases, made with this generator seed; see makeCreaseStart().
   std::optional<std::uint32_t> creases = {};
+  std::optional<FastFlood> fast = {};  ///< the charts are from the fast search
 
   bool operator==(const FloodMoment&) const = default;
 };

@@ -144,6 +144,9 @@ ResultReport resultReport(const Results& results) {
   ResultReport report;
   report.method = results.parameters.method;
   report.charts = results.segmentation ? results.segmentation->chartCount : 0;
+  if (report.method == "t-flooding" && results.segmentation && !results.creases) {
+    report.search = results.fast ? "fast" : "literal";
+  }
   report.iterations = results.history.size();
   if (!results.history.empty()) report.bestIteration = results.bestIteration;
   report.stopReason = stopReasonId(results.stopReason);

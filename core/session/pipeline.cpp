@@ -43,6 +43,7 @@ void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds
   document_.hints.clear();
   chartRuns_.reset();
   toldCharts_ = 0;
+  toldLiteral_ = false;
   tell(Notice::Kind::Info, "Loaded " + std::to_string(mesh_->triangleCount()) + " triangles in " +
                                std::to_string(mesh_->componentCount()) +
                                (mesh_->componentCount() == 1 ? " part." : " parts."));
@@ -133,7 +134,9 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   // Another method begins from its own seeds: where charts were finished, its own are made.
   const bool otherMethod = finished() && (document.parameters.method != before.parameters.method ||
                                           (document.parameters.start != before.parameters.start &&
-                                           creases_.has_value() != wantsCreases().has_value()));
+                                           creases_.has_value() != wantsCreases().has_value()) ||
+                                          (document.parameters.search != before.parameters.search &&
+                                           fast_.has_value() != wantsFast().has_value()));
   const bool keepFinal = finished() && samePlaces && stage >= Stage::Iterations;
   reviseSeeds(before);
   stepper_.reset();
@@ -148,7 +151,8 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
     offsets_.clear();
     normals_.clear();
   }
-  makeStepper(keepFinal ? 1 : static_cast<std::size_t>(document.parameters.maxIterations), creases);
+  makeStepper(keepFinal ? 1 : static_cast<std::size_t>(document.parameters.maxIterations), creases,
+              keepFinal ? fast_ : wantsFast());
   const Stopwatch stopwatch;
   const bool toTheEnd = keepFinal || otherMethod;
   stepper_->advance(toTheEnd ? StepUnit::Converged : StepUnit::Flood, 1, progress);
@@ -159,7 +163,7 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
 
 bool Pipeline::standsAt(const FloodMoment& moment) const {
   return stepper_ && stepper_->record() && seeds_ == moment.seeds && offsets_ == moment.offsets &&
-         normals_ == moment.normals && creases_ == moment.creases &&
+         normals_ == moment.normals && creases_ == moment.creases && fast_ == moment.fast &&
          finished() == moment.finished && stepper_->record()->size() == moment.taken;
 }
 
@@ -180,7 +184,7 @@ void Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
   offsets_ = moment.offsets;
   normals_ = moment.normals;
   makeStepper(moment.finished ? 1 : static_cast<std::size_t>(document.parameters.maxIterations),
-              moment.creases);
+              moment.creases, moment.fast);
   const Stopwatch stopwatch;
   if (moment.finished) {
     stepper_->advance(StepUnit::Converged, 1, progress);

@@ -113,9 +113,12 @@ class Pipeline {
   /// Whether charts that are made now begin from creases, and with which generator seed: not where
   /// seeds are placed by hand.
   std::optional<std::uint32_t> wantsCreases() const;
+  /// What a stepper that is made now begins with when it is to search fast.
+  std::optional<FastFlood> wantsFast() const;
   /// Makes a stepper that begins with the present seeds, if there are any.
   void makeStepper(std::size_t maxIterations);
-  void makeStepper(std::size_t maxIterations, std::optional<std::uint32_t> creases);
+  void makeStepper(std::size_t maxIterations, std::optional<std::uint32_t> creases,
+                   const std::optional<FastFlood>& fast);
   /// Begins again where the stepper stands, so that the next rounds know of changed locks.
   void takeLocks(Progress& progress);
   void noteFlood(const FloodStart& start);
@@ -123,6 +126,7 @@ class Pipeline {
   void keepFlood();
   void tell(Notice::Kind kind, std::string text) const;
   void tellChartCount();
+  void tellTooSmall();
   void tellOutcome();
 
   Listener listener_;
@@ -142,15 +146,17 @@ class Pipeline {
   Flat shownFlat_;             ///< the last complete one
   bool unwrapAsked_ = false;   ///< of the present charts
   bool locksChanged_ = false;  ///< since the stepper was made
-  std::optional<std::uint32_t> creases_;     ///< the stepper's charts are from creases
-  std::shared_ptr<const RunSet> seedRuns_;   ///< of the present charts
-  std::shared_ptr<const RunSet> chartRuns_;  ///< of the mesh
+  std::optional<std::uint32_t> creases_;      ///< the stepper's charts are from creases
+  std::optional<FastFlood> fast_;             ///< of the last flood
+  std::shared_ptr<const RunSet> seedRuns_;    ///< of the present charts
+  std::shared_ptr<const RunSet> chartRuns_;   ///< of the mesh
   std::shared_ptr<const FloodRecord> flood_;  ///< log of the last flood
   std::size_t floodRound_ = 0;                ///< that it was begun as
   std::size_t roundsSeen_ = 0;                ///< rounds of the stepper's history at the last look
   FloodHistory floods_;
   Timing timing_;
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
+  bool toldLiteral_ = false;    ///< the user was told that the mesh is too small to search fast
   std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;
 };
 

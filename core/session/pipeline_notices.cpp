@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "core/segment/fast_flooding.h"
 #include "core/segment/seeds.h"
 #include "core/session/pipeline.h"
 
@@ -37,6 +38,12 @@ void Pipeline::tellChartCount() {
   }
 }
 
+void Pipeline::tellTooSmall() {
+  if (std::exchange(toldLiteral_, true)) return;
+  tell(Notice::Kind::Info, "The fast search needs " + std::to_string(kFastFacesPerChart) +
+                               " faces a chart; this mesh is searched literally.");
+}
+
 void Pipeline::tellOutcome() {
   if (creases_) return tell(Notice::Kind::Info, "Charts begin from the model's creases.");
   const auto rounds = std::to_string(stepper_->history().size());
@@ -53,9 +60,15 @@ void Pipeline::tellOutcome() {
     if (document_.parameters.method != "t-flooding") {
       return tell(Notice::Kind::Info, "Stopped: more rounds bring no better fit; " + kept);
     }
+    if (fast_) {
+      return tell(Notice::Kind::Info,
+                  "Stopped: more floods around the seams bring no better balance; " + kept);
+    }
     return tell(Notice::Kind::Info, "Stopped: no better balance for " +
                                         std::to_string(document_.parameters.patience) +
                                         " rounds; " + kept);
+  case StopReason::Balanced:
+    return tell(Notice::Kind::Info, "Stopped: the charts are even; " + kept);
   case StopReason::NotStopped:
   case StopReason::Cancelled:
     return;

@@ -5,6 +5,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/segment/crease_start.h"
+#include "core/segment/fast_flooding.h"
 #include "core/segment/hint_factors.h"
 #include "core/segment/registry.h"
 #include "core/session/pipeline.h"
@@ -12,6 +13,9 @@
 namespace chartflood {
 
 namespace {
+
+/// --search=auto goes through all rounds on the whole mesh up to so many faces.
+constexpr std::size_t kMostLiteralFaces = 300000;
 
 VsaSeeding vsaSeeding(const std::string& id) {
   return id == "doubling" ? VsaSeeding::Doubling
@@ -36,7 +40,7 @@ bool Pipeline::finished() const { return stepper_ != nullptr && stepper_->finish
 
 void Pipeline::takeLocks(Progress& progress) {
   const std::size_t taken = stepper_->record() ? stepper_->record()->size() : mesh_->faceCount();
-  makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
+  makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations), wantsCreases(), fast_);
   if (taken > 0) stepper_->advance(StepUnit::Face, taken, progress);
   keepFlood();
 }
@@ -49,11 +53,20 @@ std::optional<std::uint32_t> Pipeline::wantsCreases() const {
   return wanted ? std::optional(static_cast<std::uint32_t>(p.rngSeed)) : std::nullopt;
 }
 
-void Pipeline::makeStepper(std::size_t maxIterations) {
-  makeStepper(maxIterations, wantsCreases());
+std::optional<FastFlood> Pipeline::wantsFast() const {
+  const Parameters& p = document_.parameters;
+  const bool wanted =
+      p.search == "fast" || (p.search == "auto" && mesh_->faceCount() > kMostLiteralFaces);
+  const bool fits = p.method == "t-flooding" && wanted && !wantsCreases();
+  return fits ? std::optional(FastFlood{}) : std::nullopt;
 }
 
-void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_t> creases) {
+void Pipeline::makeStepper(std::size_t maxIterations) {
+  makeStepper(maxIterations, wantsCreases(), wantsFast());
+}
+
+void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_t> creases,
+                           const std::optional<FastFlood>& fast) {
   const Parameters& p = document_.parameters;
   SegmentOptions options;
   options.charts = static_cast<std::size_t>(p.charts);
@@ -63,6 +76,11 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   options.offsets = offsets_;
   options.normals = normals_;
   options.rngSeed = creases.value_or(static_cast<std::uint32_t>(p.rngSeed));
+  if (fast) {
+    options.search = SearchKind::Fast;
+    options.fast = *fast;
+    if (!searchesFast(*mesh_, options)) tellTooSmall();
+  }
   options.useOffsets = p.offsets;
   options.offsetDamping = p.offsetDamping;
   options.lookahead = p.lookahead;
@@ -109,6 +127,7 @@ void Pipeline::noteFlood(const FloodStart& start) {
   seeds_.assign(start.seeds.begin(), start.seeds.end());
   offsets_.assign(start.offsets.begin(), start.offsets.end());
   normals_.assign(start.normals.begin(), start.normals.end());
+  fast_ = start.fast;
   listener_.onFlood(start);
 }
 

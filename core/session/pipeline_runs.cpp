@@ -78,7 +78,7 @@ Run Pipeline::asRun(bool withResults) const {
   }
   run.seams = stats_->surfaceArea > 0 ? length / std::sqrt(stats_->surfaceArea) : 0;
   run.stretch = surface > 0 ? std::sqrt(squares / surface) : 1;
-  run.moment = {seeds_, offsets_, mesh_->faceCount(), true, normals_, creases_};
+  run.moment = {seeds_, offsets_, mesh_->faceCount(), true, normals_, creases_, fast_};
   if (!withResults) return run;
   auto results = std::make_shared<Results>();
   report(*results);
@@ -88,6 +88,7 @@ Run Pipeline::asRun(bool withResults) const {
   results->offsets = offsets_;
   results->normals = normals_;
   results->creases = creases_;
+  results->fast = fast_;
   run.results = std::move(results);
   return run;
 }
@@ -102,11 +103,13 @@ void Pipeline::takeOver(Pipeline& other) {
   flat_.parameters = document_.parameters;
   timing_ = other.timing_;
   creases_ = other.creases_;
+  const std::optional<FastFlood> fast = std::move(other.fast_);
   locksChanged_ = false;
   const std::vector<Index> seeds = std::move(other.seeds_);
   const std::vector<double> offsets = std::move(other.offsets_);
   const std::vector<glm::dvec3> normals = std::move(other.normals_);
-  noteFlood({stepper_->record(), stepper_->bestIteration(), seeds, offsets, normals, creases_});
+  noteFlood(
+      {stepper_->record(), stepper_->bestIteration(), seeds, offsets, normals, creases_, fast});
 }
 
 bool Pipeline::triesSeeds() const {

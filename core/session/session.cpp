@@ -249,6 +249,7 @@ class Session::Engine {
       next->offsets.assign(start.offsets.begin(), start.offsets.end());
       next->normals.assign(start.normals.begin(), start.normals.end());
       next->creases = start.creases;
+      next->fast = start.fast;
       pipeline_.reportRounds(*next);
       next->recordIteration = start.iteration;
       next->finished = false;
@@ -289,6 +290,7 @@ FloodMoment momentOf(const Results& results) {
   moment.offsets = results.offsets;
   moment.normals = results.normals;
   moment.creases = results.creases;
+  moment.fast = results.fast;
   moment.taken = results.record->size();
   moment.finished = results.finished;
   return moment;

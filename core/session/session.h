@@ -59,6 +59,7 @@ struct Results {
   std::vector<double> offsets;           ///< of the round of `record`, one a seed or none
   std::vector<glm::dvec3> normals;       ///< of the round of `record`, one a seed or none
   std::optional<std::uint32_t> creases;  ///< as in FloodMoment
+  std::optional<FastFlood> fast;         ///< as in FloodMoment
   /// Steps of the refinement from the flooded labels to the final ones; null when there was none.
   std::shared_ptr<const SeamRecord> seamRecord;
   std::vector<IterationSummary> history;

@@ -69,6 +69,10 @@ Json normalsJson(const std::vector<glm::dvec3>& normals) {
   return json;
 }
 
+Json fastJson(const std::optional<FastFlood>& fast) {
+  return fast ? Json{{"starts", fast->starts}, {"band", fast->band}} : Json(nullptr);
+}
+
 Json viewJson(const std::map<std::string, SessionValue>& view) {
   Json json = Json::object();
   for (const auto& [name, value] : view) {
@@ -304,6 +308,20 @@ FloodMoment readCharts(Reader& parent, std::vector<std::string>& warnings) {
   if (const Json seed = reader.take("creases"); seed.is_number_unsigned()) {
     moment.creases = static_cast<std::uint32_t>(seed.get<std::uint64_t>());
   }
+  if (const Json json = reader.take("fast"); json.is_object()) {
+    Reader fast(json, "charts/fast/", warnings);
+    moment.fast.emplace();
+    for (const Json& face : fast.part("starts", true)) {
+      usable = usable && isFace(face);
+      if (usable) moment.fast->starts.push_back(face.get<Index>());
+    }
+    for (const Json& offset : fast.part("band", true)) {
+      usable = usable && offset.is_number() && std::isfinite(offset.get<double>());
+      if (usable) moment.fast->band.push_back(offset.get<double>());
+    }
+    const std::size_t band = moment.fast->band.size();
+    usable = usable && (band == 0 || band == moment.seeds.size());
+  }
   usable = usable && (moment.offsets.empty() || moment.offsets.size() == moment.seeds.size()) &&
            (moment.normals.empty() || moment.normals.size() == moment.seeds.size());
   if (usable) return moment;
@@ -389,6 +407,7 @@ std::string sessionText(const SessionFile& session, const std::filesystem::path&
         {"offsets", session.charts.offsets},
         {"normals", normalsJson(session.charts.normals)},
         {"creases", session.charts.creases ? Json(*session.charts.creases) : Json(nullptr)},
+        {"fast", fastJson(session.charts.fast)},
         {"taken", session.charts.taken},
         {"finished", session.charts.finished}}},
       {"view", viewJson(session.view)},

@@ -164,8 +164,9 @@ TEST(OptionRefusal, OfMissingValues) {
   EXPECT_EQ(refusal({"--offsets="}), "--offsets= needs a value: --offsets=on or off.");
 }
 
-TEST(OptionRefusal, OfWhatIsNotBuilt) {
-  EXPECT_EQ(refusal({"--search=fast"}), "--search=fast is not built yet: give auto or literal.");
+TEST(OptionRefusal, OfSearchesThatAreNone) {
+  EXPECT_EQ(read({"--search=fast"}).parameters.search, "fast");
+  EXPECT_EQ(refusal({"--search=quick"}).find("--search"), 0u) << refusal({"--search=quick"});
 }
 
 TEST(OptionRefusal, OfChartsThatTheProgramCounts) {

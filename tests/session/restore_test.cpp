@@ -1,5 +1,8 @@
 // The charts of a moment are made again by one flood: Session::restore.
 
+#include <string>
+#include <tuple>
+
 #include <gtest/gtest.h>
 
 #include "core/session/session.h"
@@ -7,10 +10,13 @@
 namespace chartflood {
 namespace {
 
-class Restore : public testing::TestWithParam<Session::Worker> {
+class Restore : public testing::TestWithParam<std::tuple<Session::Worker, const char*>> {
  protected:
   void SetUp() override {
-    session_.openSample("bumps", 6000);
+    Document document;
+    document.parameters.search = std::get<1>(GetParam());
+    session_.setDocument(document, false);
+    session_.openSample("bumps", 8000);
     session_.waitIdle();
   }
   void step(StepUnit unit, std::size_t count = 1) {
@@ -39,12 +45,16 @@ class Restore : public testing::TestWithParam<Session::Worker> {
     EXPECT_EQ(session_.document(), document);
   }
 
-  Session session_{GetParam()};
+  Session session_{std::get<0>(GetParam())};
 };
 INSTANTIATE_TEST_SUITE_P(Workers, Restore,
-                         testing::Values(Session::Worker::Threaded, Session::Worker::Inline),
+                         testing::Values(std::tuple(Session::Worker::Threaded, "literal"),
+                                         std::tuple(Session::Worker::Inline, "literal"),
+                                         std::tuple(Session::Worker::Inline, "fast")),
                          [](const auto& instance) {
-                           return instance.param == Session::Worker::Inline ? "Inline" : "Threaded";
+                           const bool own = std::get<0>(instance.param) == Session::Worker::Inline;
+                           return std::string(own ? "Inline_" : "Threaded_") +
+                                  std::get<1>(instance.param);
                          });
 
 TEST_P(Restore, TheFirstFlood) {
@@ -123,6 +133,26 @@ TEST_P(Restore, ChartsAreLaidFlatAgain) {
   session_.waitIdle();
   EXPECT_TRUE(session_.results()->flat);
   EXPECT_EQ(session_.results()->charts->charts.size(), before->charts->charts.size());
+}
+
+TEST_P(Restore, ARoundAroundTheSeams) {
+  if (std::get<1>(GetParam()) != std::string("fast")) GTEST_SKIP() << "of the fast search only";
+  while (momentOf(*session_.results()).fast.value_or(FastFlood{}).band.empty()) {
+    step(StepUnit::Flood);
+    ASSERT_FALSE(session_.results()->finished);
+  }
+  expectSameAfter([](Document& d) { d.parameters.charts = 12; });
+  step(StepUnit::Face, 3000);
+  expectSameAfter([](Document& d) { d.parameters.speedPower = 2; });
+  // A lock begins again where the flood stands.
+  const auto before = session_.results();
+  Document locked = session_.document();
+  for (const Index face : before->seeds) locked.seeds.push_back({face, face == before->seeds[3]});
+  session_.setDocument(locked);
+  session_.waitIdle();
+  step(StepUnit::Face, 1);
+  EXPECT_EQ(session_.results()->record->size(), before->record->size() + 1);
+  EXPECT_EQ(session_.results()->fast, before->fast);
 }
 
 TEST_P(Restore, WithoutChartsTheDocumentAloneIsTaken) {

@@ -12,6 +12,7 @@
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
 #include "core/segment/balance.h"
+#include "core/segment/fast_flooding.h"
 #include "core/segment/registry.h"
 #include "tests/support/segment_inputs.h"
 #include "tests/support/segmentation_checks.h"
@@ -31,6 +32,7 @@ std::shared_ptr<const Segmentation> inOneGo(const Segmenter& method, const Segme
 struct MethodAndMesh {
   const Segmenter* method;
   std::string mesh;
+  SearchKind search = SearchKind::Literal;
 };
 
 std::vector<MethodAndMesh> everyMethodOnEveryMesh() {
@@ -42,6 +44,11 @@ std::vector<MethodAndMesh> everyMethodOnEveryMesh() {
     for (const char* file : {"homer.obj", "fandisk.obj", "elephant-with-holes.off"}) {
       cases.push_back({&method, file});
     }
+  }
+  const Segmenter* method = findSegmenter("t-flooding");
+  for (const char* mesh : {"rocket", "double-torus", "tube", "cube", "plane", "homer.obj",
+                           "fandisk.obj", "elephant-with-holes.off", "spot.obj"}) {
+    cases.push_back({method, mesh, SearchKind::Fast});
   }
   return cases;
 }
@@ -55,6 +62,10 @@ class Conformance : public testing::TestWithParam<MethodAndMesh> {
     if (!mesh_) GTEST_SKIP() << "the folder of real meshes is absent";
     in_ = test::segmentInputs(mesh_);
     options_.charts = 11;
+    options_.search = GetParam().search;
+    if (options_.search == SearchKind::Fast) {
+      ASSERT_TRUE(searchesFast(*mesh_, options_)) << "a mesh for the fast search";
+    }
   }
   std::shared_ptr<const Mesh> mesh_;
   SegmentInputs in_;
@@ -68,8 +79,9 @@ std::string plainName(std::string name) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, Conformance, testing::ValuesIn(everyMethodOnEveryMesh()),
                          [](const auto& instance) {
-                           return plainName(instance.param.method->id +
-                                            ("_" + instance.param.mesh));
+                           const bool fast = instance.param.search == SearchKind::Fast;
+                           return plainName((fast ? "fast_" : "") + (instance.param.method->id +
+                                                                     ("_" + instance.param.mesh)));
                          });
 
 TEST_P(Conformance, ChartsAreValid) {

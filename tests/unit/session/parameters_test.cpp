@@ -186,7 +186,6 @@ TEST(ParameterRefusal, OfChoicesThatAreNotBuilt) {
                                                 " is not built yet: give "));
     }
   }
-  EXPECT_EQ(refusal("search", "fast"), "--search=fast is not built yet: give auto or literal.");
 }
 
 TEST(ParameterRefusal, OfTheWrongKindOfValue) {

@@ -1,0 +1,296 @@
+// The fast search: clusters, the band around their seams, and the rounds on both.
+
+#include "core/segment/fast_flooding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/charts/chart_stats.h"
+#include "core/gauss/compute_gauss_area.h"
+#include "core/segment/balance.h"
+#include "core/segment/chart_areas.h"
+#include "core/segment/coarse_graph.h"
+#include "core/segment/node_flood.h"
+#include "core/segment/seam_band.h"
+#include "core/segment/t_flooding.h"
+#include "tests/support/segment_inputs.h"
+#include "tests/support/segmentation_checks.h"
+#include "tests/support/test_meshes.h"
+
+namespace chartflood {
+namespace {
+
+SegmentOptions fastOptions(std::size_t charts) {
+  SegmentOptions options;
+  options.charts = charts;
+  options.search = SearchKind::Fast;
+  return options;
+}
+
+std::unique_ptr<Stepper> toTheEnd(const SegmentInputs& in, const SegmentOptions& options) {
+  auto stepper = makeTFlooding(in, options);
+  Progress progress;
+  EXPECT_EQ(stepper->advance(StepUnit::Converged, 1, progress), StepOutcome::Finished);
+  return stepper;
+}
+
+void expectSameLog(const FloodRecord& a, const FloodRecord& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a[i].face, b[i].face);
+    ASSERT_EQ(a[i].chart, b[i].chart);
+    ASSERT_EQ(a[i].time, b[i].time);
+  }
+}
+
+class FastOn : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    mesh_ = test::sampleMesh(GetParam(), 6000);
+    in_ = test::segmentInputs(mesh_);
+    faceGauss_ = faceGaussArea(*mesh_, *in_.gaussArea);
+  }
+  NodeGraphSource source() const { return {*mesh_, *in_.gaussArea, faceGauss_, *in_.floodGraph}; }
+
+  std::shared_ptr<const Mesh> mesh_;
+  SegmentInputs in_;
+  std::vector<double> faceGauss_;
+};
+INSTANTIATE_TEST_SUITE_P(Samples, FastOn,
+                         testing::Values("rocket", "double-torus", "cube", "bumps", "gear"),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST_P(FastOn, ChartsOfClustersHaveTheGaussAreaOfTheirFaces) {
+  const CoarseGraph coarse =
+      makeCoarseGraph(source(), clusterFaces(*mesh_, {}, 17, std::vector<Index>{3, 17, 1000}));
+  std::vector<Index> nodeLabel(coarse.nodeCount());
+  for (Index n = 0; n < nodeLabel.size(); ++n) nodeLabel[n] = (n / 40) % 5;
+  const std::vector<double> sums = coarse.nodes.chartGauss(nodeLabel, 5);
+  const std::vector<Index> label = projectLabels(coarse.nodes, nodeLabel);
+  const ChartAreas areas = chartAreas(*mesh_, *in_.gaussArea, faceGauss_, label, 5);
+  for (std::size_t c = 0; c < 5; ++c) {
+    EXPECT_NEAR(sums[c], areas.gaussArea[c], 1e-9 * std::max(1.0, areas.gaussArea[c]));
+  }
+  for (Index n = 0; n < coarse.nodeCount(); ++n) {
+    EXPECT_EQ(coarse.nodes.nodeOfFace[coarse.start[n]], n);
+  }
+  for (const Index face : {3u, 17u, 1000u}) {
+    EXPECT_EQ(coarse.start[coarse.nodes.nodeOfFace[face]], face);
+  }
+}
+
+TEST_P(FastOn, FloodsCountWhatTheirChartsHold) {
+  const CoarseGraph coarse = makeCoarseGraph(source(), clusterFaces(*mesh_, {}, 9));
+  Rng rng(5);
+  const std::size_t charts = std::max<std::size_t>(6, mesh_->componentCount());
+  const auto seeds = placeCoarseSeeds(coarse, mesh_->componentCount(), charts, {}, rng);
+  NodeFlood flood(*mesh_, coarse.nodes, charts);
+  flood.start(seeds, std::vector<double>(charts, 0), true, nullptr);
+  flood.take(mesh_->faceCount(), nullptr);
+  ASSERT_TRUE(flood.finished());
+  const auto whole = flood.labels();
+  // In small steps, with a log.
+  auto record = std::make_shared<FloodRecord>(mesh_->faceCount());
+  flood.start(seeds, std::vector<double>(charts, 0), true, record);
+  for (std::size_t step = 1; !flood.finished(); ++step) {
+    flood.take(step, nullptr);
+    const auto label = flood.labels();
+    ASSERT_EQ(record->size(), flood.taken());
+    const auto taken =
+        std::count_if(label.begin(), label.end(), [](Index chart) { return chart != kNone; });
+    ASSERT_EQ(static_cast<std::size_t>(taken), flood.taken());
+  }
+  EXPECT_EQ(flood.labels(), whole);
+  for (std::size_t i = 0; i < record->size(); ++i) {
+    ASSERT_EQ(whole[(*record)[i].face], (*record)[i].chart);
+  }
+}
+
+TEST_P(FastOn, TheBandLeavesOneConnectedRestWithTheSeedOfEachChart) {
+  const auto stepper = makeTFlooding(in_, fastOptions(6));
+  Progress progress;
+  stepper->advance(StepUnit::Flood, 1, progress);
+  const auto state = stepper->state();
+  for (const std::size_t rings : {1u, 4u, 60u}) {
+    const SeamBand band = makeSeamBand(source(), state->label, state->seeds, rings);
+    const NodeFaces faces(*mesh_, band.nodes.nodeOfFace, band.nodes.nodeCount());
+    std::size_t rests = 0;
+    for (std::size_t c = 0; c < state->seeds.size(); ++c) {
+      const auto rest = faces.of(band.seeds[c]);
+      rests += rest.size();
+      EXPECT_NE(std::find(rest.begin(), rest.end(), state->seeds[c]), rest.end());
+      // Listed in steps over sides: connected when each but the first has one before it beside it.
+      std::vector<bool> seen(mesh_->faceCount(), false);
+      for (std::size_t i = 0; i < rest.size(); ++i) {
+        bool touches = i == 0;
+        for (Index s = 3 * mesh_->triangleBegin(rest[i]); s < 3 * mesh_->triangleBegin(rest[i] + 1);
+             ++s) {
+          const Index other = mesh_->opposite()[s];
+          touches = touches || (other != kNone && seen[mesh_->faceOf(other / 3)]);
+        }
+        ASSERT_TRUE(touches);
+        ASSERT_EQ(state->label[rest[i]], c);
+        seen[rest[i]] = true;
+      }
+    }
+    EXPECT_EQ(band.freeFaces + rests, mesh_->faceCount());
+  }
+}
+
+TEST_P(FastOn, WithoutALogTheLabelsAreTheSame) {
+  SegmentOptions options = fastOptions(8);
+  const auto logged = toTheEnd(in_, options);
+  options.record = false;
+  const auto plain = toTheEnd(in_, options);
+  EXPECT_EQ(plain->state()->label, logged->state()->label);
+  EXPECT_EQ(plain->history().size(), logged->history().size());
+  EXPECT_EQ(plain->record(), nullptr);
+}
+
+TEST_P(FastOn, MakesTheLogOfAnyRoundAgain) {
+  const auto stepper = makeTFlooding(in_, fastOptions(8));
+  Progress progress;
+  std::vector<std::shared_ptr<const FloodRecord>> logs;
+  while (!stepper->finished()) {
+    const std::size_t before = stepper->history().size();
+    stepper->advance(StepUnit::Flood, 1, progress);
+    if (stepper->history().size() > before) logs.push_back(stepper->record());
+  }
+  ASSERT_EQ(logs.size(), stepper->history().size());
+  EXPECT_FALSE(stepper->history().back().band.empty());
+  for (std::size_t round = 0; round < logs.size(); ++round) {
+    expectSameLog(*stepper->replay(round, progress), *logs[round]);
+  }
+  // The log of the end is that of the round that was kept.
+  expectSameLog(*stepper->record(), *logs[stepper->state()->iteration]);
+}
+
+TEST_P(FastOn, GoesBackToAnyRoundAndOnFromThere) {
+  const auto stepper = makeTFlooding(in_, fastOptions(8));
+  Progress progress;
+  std::vector<std::vector<Index>> labels;
+  while (!stepper->finished()) {
+    const std::size_t before = stepper->history().size();
+    stepper->advance(StepUnit::Flood, 1, progress);
+    if (stepper->history().size() > before) labels.push_back(stepper->state()->label);
+  }
+  for (const std::size_t round : {labels.size() - 1, std::size_t{1}, labels.size() / 2}) {
+    ASSERT_EQ(stepper->adopt(round, progress), StepOutcome::Advanced);
+    if (round != stepper->bestIteration() || !stepper->state()->refined) {
+      EXPECT_EQ(stepper->state()->label, labels[round]) << round;
+    }
+    EXPECT_EQ(stepper->advance(StepUnit::Converged, 1, progress), StepOutcome::Finished);
+    test::expectValid(*mesh_, *in_.gaussArea, *stepper->state());
+  }
+}
+
+TEST_P(FastOn, TheSameLabelsComeFromSeedsAndOffsetsAlone) {
+  const auto stepper = toTheEnd(in_, fastOptions(8));
+  FloodStart last;
+  std::vector<Index> seeds;
+  std::vector<double> offsets;
+  FastFlood fast;
+  SegmentOptions options = fastOptions(8);
+  options.onFlood = [&](const FloodStart& start) {
+    seeds.assign(start.seeds.begin(), start.seeds.end());
+    offsets.assign(start.offsets.begin(), start.offsets.end());
+    fast = *start.fast;
+  };
+  const auto told = toTheEnd(in_, options);
+  ASSERT_EQ(told->state()->label, stepper->state()->label);
+  EXPECT_EQ(fast.band.size(), 8u);
+  SegmentOptions again = fastOptions(8);
+  again.seeds = seeds;
+  again.offsets = offsets;
+  again.fast = fast;
+  again.maxIterations = 1;
+  EXPECT_EQ(toTheEnd(in_, again)->state()->label, stepper->state()->label);
+}
+
+TEST_P(FastOn, LockedSeedsStayAndGivenOnesBegin) {
+  SegmentOptions options = fastOptions(8);
+  options.seeds = {11, 12, 2000};
+  options.locked = {12, 2000};
+  std::vector<Index> first;
+  options.onFlood = [&](const FloodStart& start) {
+    if (first.empty()) first.assign(start.seeds.begin(), start.seeds.end());
+  };
+  const auto stepper = toTheEnd(in_, options);
+  const auto state = stepper->state();
+  EXPECT_TRUE(std::equal(options.seeds.begin(), options.seeds.end(), first.begin()));
+  EXPECT_EQ(state->seeds[1], 12u);
+  EXPECT_EQ(state->seeds[2], 2000u);
+  test::expectValid(*mesh_, *in_.gaussArea, *state);
+}
+
+TEST_P(FastOn, HistoryTellsTheBalanceOfTheLabels) {
+  SegmentOptions options = fastOptions(8);
+  const auto stepper = makeTFlooding(in_, options);
+  Progress progress;
+  while (!stepper->finished()) {
+    const std::size_t before = stepper->history().size();
+    stepper->advance(StepUnit::Flood, 1, progress);
+    if (stepper->history().size() == before) continue;
+    EXPECT_NEAR(balanceOf(stepper->state()->areas.gaussArea).stdOverMean(),
+                stepper->history().back().stdOverMean, 1e-7);
+  }
+}
+
+TEST(FastFlooding, IsForMeshesWithFacesEnough) {
+  const auto mesh = test::sampleMesh("rocket", 6000);
+  EXPECT_TRUE(searchesFast(*mesh, fastOptions(15)));
+  EXPECT_FALSE(searchesFast(*mesh, fastOptions(200)));
+  EXPECT_FALSE(searchesFast(*mesh, SegmentOptions{}));
+  const auto in = test::segmentInputs(mesh);
+  SegmentOptions literal;
+  literal.charts = 200;
+  literal.maxIterations = 2;
+  SegmentOptions fast = literal;
+  fast.search = SearchKind::Fast;
+  EXPECT_EQ(toTheEnd(in, fast)->state()->label, toTheEnd(in, literal)->state()->label);
+}
+
+TEST(FastFlooding, RefusesSeedsThatAreNone) {
+  const auto in = test::segmentInputs(test::sampleMesh("rocket", 6000));
+  SegmentOptions options = fastOptions(8);
+  options.seeds = {5, 5};
+  EXPECT_ANY_THROW(makeTFlooding(in, options));
+  options.seeds = {4000000};
+  EXPECT_ANY_THROW(makeTFlooding(in, options));
+}
+
+class FastGoal : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(RealMeshes, FastGoal,
+                         testing::Values("stanford-bunny.obj", "armadillo-80354.ply",
+                                         "igea-151558.ply", "homer.obj", "rocker-arm.obj"),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::replace_if(
+                               name.begin(), name.end(),
+                               [](char c) { return c == '-' || c == '.'; }, '_');
+                           return name;
+                         });
+
+TEST_P(FastGoal, ChartsAreAsEvenAndSeamsAsShortAsOfTheLiteralSearch) {
+  const auto mesh = test::realMesh(GetParam());
+  if (!mesh) GTEST_SKIP() << "the folder of real meshes is absent";
+  const auto in = test::segmentInputs(mesh);
+  SegmentOptions options;
+  options.refine.kind = RefineKind::Moves;
+  const auto measured = [&](SearchKind search) {
+    options.search = search;
+    return measureCharts(*mesh, *toTheEnd(in, options)->state());
+  };
+  const ChartStats literal = measured(SearchKind::Literal), fast = measured(SearchKind::Fast);
+  EXPECT_LE(fast.stdOverMean(), 1.05 * literal.stdOverMean());
+  EXPECT_LE(fast.seamLength, 1.05 * literal.seamLength);
+}
+
+}  // namespace
+}  // namespace chartflood
