@@ -135,8 +135,11 @@ TEST_P(Restore, ChartsAreLaidFlatAgain) {
   EXPECT_EQ(session_.results()->charts->charts.size(), before->charts->charts.size());
 }
 
-TEST_P(Restore, ARoundAroundTheSeams) {
-  if (std::get<1>(GetParam()) != std::string("fast")) GTEST_SKIP() << "of the fast search only";
+class RestoreFast : public Restore {};
+INSTANTIATE_TEST_SUITE_P(Workers, RestoreFast,
+                         testing::Values(std::tuple(Session::Worker::Inline, "fast")));
+
+TEST_P(RestoreFast, ARoundAroundTheSeams) {
   while (momentOf(*session_.results()).fast.value_or(FastFlood{}).band.empty()) {
     step(StepUnit::Flood);
     ASSERT_FALSE(session_.results()->finished);
