@@ -14,11 +14,12 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kSweeps = 5;     // at most, a stage
-constexpr std::size_t kTogether = 16;  // pairs cut at the same time
-constexpr double kLeastArea = 0.1;     // of the mean chart's
+constexpr std::size_t kSweeps = 5;       // at most, a stage
+constexpr std::size_t kLastSweeps = 10;  // those are cheap: few pairs still change
+constexpr std::size_t kTogether = 16;    // pairs cut at the same time
+constexpr double kLeastArea = 0.1;       // of the mean chart's
 constexpr double kLeastGain = 1e-9;
-/// The bandwidth of the last stage from this many faces on: a narrower band does as well there.
+/// From this many faces on time counts more than the last percent.
 constexpr std::size_t kManyFaces = 400000;
 
 /// One stage of the annealing.
@@ -26,15 +27,19 @@ struct SeamStage {
   double weight;     ///< factor on w
   double band;       ///< factor on the width
   std::size_t size;  ///< faces a cluster
+  std::size_t sweeps = kSweeps;
 };
 
 /// The annealing schedule. Measured over seven meshes: from a hundredth of the weight on, seams end
 /// 10 % shorter than at full weight at once; halving the clusters from stage to stage costs
-/// nothing.
+/// nothing. Over four meshes of 70,000 to 270,000 faces and three floods of each, the energy ends
+/// 1.0 % above that of single faces throughout; with clusters twice as large and single faces only
+/// in the last, narrow band, in two thirds of the time, 1.9 %.
 std::vector<SeamStage> stagesFor(std::size_t faces, std::size_t charts, bool clusters,
                                  bool anneal) {
+  const bool many = faces > kManyFaces;
   const double count = static_cast<double>(faces);
-  double size = std::max(std::min(count / 4500, 16.0), count / 16000);
+  double size = many ? count / 16000 : std::max(std::min(count / 9000, 8.0), count / 32000);
   size = std::min(size, count / (100 * static_cast<double>(charts)));
   if (!clusters) size = 1;
   const auto whole = [](double s) { return static_cast<std::size_t>(std::max(1.0, s)); };
@@ -42,16 +47,17 @@ std::vector<SeamStage> stagesFor(std::size_t faces, std::size_t charts, bool clu
   if (anneal) {
     stages = {{0.01, 1.5, whole(size)},
               {0.03, 1, whole(size)},
-              {0.1, 1, whole(size / 2)},
-              {0.3, 0.7, whole(size / 2)},
-              {1, 0.5, whole(size / 4)}};
-    for (double s = size / 4; s > 8; s /= 4) stages.push_back({1, 0.25, whole(s / 4)});
-  } else {
-    stages = {{1, 0.5, whole(size / 4)}};
+              {0.1, 1, whole(many ? size / 2 : size)},
+              {0.3, 0.7, whole(size / 2)}};
   }
-  const double last = faces > kManyFaces ? 0.125 : 0.25;
-  if (stages.back().size == 1 && stages.back().band == last) return stages;
-  stages.push_back({1, last, 1});
+  if (many && clusters && anneal) {
+    stages.push_back({1, 0.5, whole(size / 4)});
+    for (double s = size / 4; s > 8; s /= 4) stages.push_back({1, 0.25, whole(s / 4)});
+    stages.push_back({1, 0.125, 1});
+  } else {
+    stages.push_back({1, 0.5, 1, clusters ? 2 : kSweeps});
+    stages.push_back({1, many ? 0.125 : 0.25, 1, clusters ? kLastSweeps : kSweeps});
+  }
   return stages;
 }
 
@@ -113,7 +119,7 @@ class SeamCuts::Engine {
   bool runStage(Progress& progress) {
     if (!inStage_) beginStage();
     inStage_ = true;
-    while (sweep_ < kSweeps) {
+    while (sweep_ < stages_[stage_].sweeps) {
       if (!inSweep_) beginSweep();
       inSweep_ = true;
       while (!pairs_.empty()) {
@@ -130,10 +136,9 @@ class SeamCuts::Engine {
 
   void beginStage() {
     const SeamStage& stage = stages_[stage_];
-    const bool last = stage_ + 1 == stages_.size();
     state_.band =
         stage.band * options_.band * std::sqrt(mesh_.surfaceArea() / static_cast<double>(charts_));
-    FaceClusters clusters = last && stage.size == 1 && options_.clusters
+    FaceClusters clusters = stage.size == 1 && options_.clusters
                                 ? clusterNearSeams(mesh_, label_, ringsOf(state_.band))
                                 : clusterFaces(mesh_, label_, stage.size);
     const std::size_t firstFixed = clusters.firstFixed;
