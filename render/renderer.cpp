@@ -30,6 +30,7 @@ Renderer::Renderer()
 
 void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* normals) {
   unfinished_.reset();
+  tree_.reset();
   mesh_ = std::move(mesh);
   surface_.reset();
   charts_.reset();

@@ -16,6 +16,7 @@
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "core/model/segmentation.h"
+#include "core/model/triangle_tree.h"
 #include "render/camera.h"
 #include "render/chart_layer.h"
 #include "render/cut_layer.h"
@@ -143,8 +144,10 @@ class Renderer {
     return unfinished_ && unfinished_->target == &target;
   }
 
+  /// Saves the first pick() from building the tree itself. \pre it is of the mesh
+  void setTree(std::shared_ptr<const TriangleTree> tree);
   /// What lies under pixel (x, y), counted from the top left, of a picture. Charts that the last
-  /// draw() hid are seen through.
+  /// draw() hid are seen through. Needs no context.
   Pick pick(const Camera& camera, int width, int height, int x, int y);
   /// Triangle in each pixel, rows from the top, kNone where there is none.
   std::vector<Index> triangleImage(const Camera& camera, int width, int height);
@@ -231,7 +234,7 @@ class Renderer {
   void setScale(gl::Program& program, const ScalarRange& range, const RenderSettings& settings);
   void useColorMap(const RenderSettings& settings);
   std::vector<GLuint> drawIds(gl::Program& program, const Eye& eye, int width, int height,
-                              const RenderSettings& settings, float* depth);
+                              const RenderSettings& settings);
   Pick pickOf(Index triangle) const;
 
   gl::Program backgroundProgram_, lineProgram_, pointProgram_, idProgram_, idUvProgram_;
@@ -260,6 +263,7 @@ class Renderer {
   gl::TextureBuffer seeds_, checkerGlyphs_;
   gl::Texture checkerPicture_;
   std::shared_ptr<const Image> loadedPicture_;  // in checkerPicture_
+  std::shared_ptr<const TriangleTree> tree_;    // null until it is given or needed
   RenderSettings lastSettings_;  // of the last picture: what is hidden there cannot be picked
   std::vector<SeedMark> seedMarks_;
   std::vector<glm::vec4> uploadedSeeds_;

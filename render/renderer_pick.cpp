@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "core/base/check.h"
 #include "render/gl/objects.h"
 #include "render/renderer.h"
 #include "render/texture_units.h"
@@ -50,7 +53,7 @@ std::vector<Index> fromTop(const std::vector<GLuint>& ids, int width, int height
 }  // namespace
 
 std::vector<GLuint> Renderer::drawIds(gl::Program& program, const Eye& eye, int width, int height,
-                                      const RenderSettings& settings, float* depth) {
+                                      const RenderSettings& settings) {
   const gl::FramebufferScope keep;
   charts_->update(settings, flood_->longestTime());
   const IdTarget target(width, height);
@@ -74,7 +77,6 @@ std::vector<GLuint> Renderer::drawIds(gl::Program& program, const Eye& eye, int 
   surface_->draw(settings.hiddenCharts.empty() && !flat);
   std::vector<GLuint> ids(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
   glReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, ids.data());
-  if (depth) glReadPixels(0, 0, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
   glDisable(GL_DEPTH_TEST);
   glUseProgram(0);
   glActiveTexture(GL_TEXTURE0);
@@ -89,26 +91,37 @@ Pick Renderer::pickOf(Index triangle) const {
   return pick;
 }
 
+void Renderer::setTree(std::shared_ptr<const TriangleTree> tree) {
+  CF_CHECK(tree == nullptr || tree->mesh() == mesh_);
+  tree_ = std::move(tree);
+}
+
 Pick Renderer::pick(const Camera& camera, int width, int height, int x, int y) {
   if (!mesh_ || x < 0 || y < 0 || x >= width || y >= height) return {};
-  const PicturePart pixel{width, height, x, height - 1 - y, 1, 1};
-  float depth = 1;
-  const std::vector<GLuint> ids =
-      drawIds(idProgram_, makeEye(camera, bounds_, pixel), 1, 1, lastSettings_, &depth);
-  if (ids[0] == 0) return {};
-  Pick pick = pickOf(ids[0] - 1);
-  const double aspect = double(width) / height;
-  const glm::dvec4 clip(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height, 2.0 * depth - 1, 1);
-  const glm::dvec4 point =
-      glm::inverse(camera.projectionMatrix(aspect, bounds_) * camera.viewMatrix()) * clip;
-  pick.point = glm::dvec3(point) / point.w;
+  if (!tree_) tree_ = std::make_shared<TriangleTree>(mesh_);
+  const glm::dmat4 toSpace =
+      glm::inverse(camera.projectionMatrix(double(width) / height, bounds_) * camera.viewMatrix());
+  const auto inSpace = [&](double depth) {
+    const glm::dvec4 point =
+        toSpace * glm::dvec4(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height, depth, 1);
+    return glm::dvec3(point) / point.w;
+  };
+  const std::vector<Index>& hidden = lastSettings_.hiddenCharts;
+  std::function<bool(Index)> counts;
+  if (!hidden.empty()) {
+    counts = [&](Index triangle) { return !holdsChart(hidden, charts_->chartOf(triangle)); };
+  }
+  const auto hit = tree_->first(inSpace(-1), inSpace(1), counts);
+  if (!hit) return {};
+  Pick pick = pickOf(hit->triangle);
+  pick.point = hit->point;
   return pick;
 }
 
 std::vector<Index> Renderer::triangleImage(const Camera& camera, int width, int height) {
   if (!mesh_) return emptyImage(width, height);
   return fromTop(drawIds(idProgram_, makeEye(camera, bounds_, PicturePart::whole(width, height)),
-                         width, height, lastSettings_, nullptr),
+                         width, height, lastSettings_),
                  width, height);
 }
 
@@ -137,7 +150,7 @@ Pick Renderer::pickUv(const UvCamera& camera, int width, int height, int x, int 
   if (!uv_ || x < 0 || y < 0 || x >= width || y >= height) return {};
   const PicturePart pixel{width, height, x, height - 1 - y, 1, 1};
   const std::vector<GLuint> ids =
-      drawIds(idUvProgram_, makeEye(camera, pixel), 1, 1, lastSettings_, nullptr);
+      drawIds(idUvProgram_, makeEye(camera, pixel), 1, 1, lastSettings_);
   if (ids[0] == 0) return {};
   Pick pick = pickOf(ids[0] - 1);
   const glm::dvec2 uv = camera.toUv({x + 0.5, y + 0.5}, {width, height});
@@ -148,7 +161,7 @@ Pick Renderer::pickUv(const UvCamera& camera, int width, int height, int x, int 
 std::vector<Index> Renderer::triangleImage(const UvCamera& camera, int width, int height) {
   if (!uv_) return emptyImage(width, height);
   return fromTop(drawIds(idUvProgram_, makeEye(camera, PicturePart::whole(width, height)), width,
-                         height, lastSettings_, nullptr),
+                         height, lastSettings_),
                  width, height);
 }
 

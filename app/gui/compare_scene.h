@@ -18,7 +18,6 @@ class CompareScene : public SceneSource {
   ImTextureID picture(const AppState& state, int width, int height, float pixelScale,
                       bool moving) override;
   Pick pick(int x, int y) override { return live_.pick(x, y); }
-  double pickSeconds() const override { return live_.pickSeconds(); }
   std::vector<glm::vec3> chartColors(const AppState& state) const override {
     return live_.chartColors(state);
   }

@@ -28,8 +28,6 @@ class SceneSource {
                               bool moving) = 0;
   /// What is under a pixel of the last picture, counted from its top left.
   virtual Pick pick(int x, int y) = 0;
-  /// Seconds that the last pick took.
-  virtual double pickSeconds() const = 0;
   /// Colour of each chart in the picture, sRGB in [0, 1]; empty: not known.
   virtual std::vector<glm::vec3> chartColors(const AppState&) const { return {}; }
   /// Number of each chart's colour in the palette; empty while the model is not drawn.
@@ -64,7 +62,6 @@ class SceneView : public SceneSource {
   ImTextureID picture(const AppState& state, int width, int height, float pixelScale,
                       bool moving) override;
   Pick pick(int x, int y) override;
-  double pickSeconds() const override { return pickSeconds_; }
   std::vector<glm::vec3> chartColors(const AppState& state) const override;
   std::vector<Index> chartColorNumbers(const AppState& state) const override;
 
@@ -138,6 +135,7 @@ class SceneView : public SceneSource {
   };
   std::optional<HintsShown> hintsShown_;  ///< lines of hints that are drawn; nothing: unknown
   std::shared_ptr<const SurfaceDerived> derived_;  ///< uploaded
+  std::shared_ptr<const TriangleTree> tree_;       // null until picks can be answered
   std::shared_ptr<const SurfaceMarks> marks_;      ///< uploaded
 
   /// Texture places and cuts, worked out by a thread of its own.
@@ -153,7 +151,7 @@ class SceneView : public SceneSource {
 
   std::shared_ptr<const Mesh> warmedFor_;  ///< whose shaders are translated
 
-  double smoothSeconds_ = 0, lastSeconds_ = 0, pickSeconds_ = 0;
+  double smoothSeconds_ = 0, lastSeconds_ = 0;
   bool coarse_ = false;  ///< pictures in motion are drawn at half the size
 };
 

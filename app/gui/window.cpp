@@ -112,6 +112,20 @@ class Imgui {
   Imgui& operator=(const Imgui&) = delete;
 };
 
+/// Seconds that a pass of the loop took, and its parts; the rest is answering requests.
+struct PassTimes {
+  double whole = 0;
+  double state = 0;    ///< taking results and time in
+  double panels = 0;   ///< building the interface, with the first stretch of the pictures in it
+  double present = 0;  ///< drawing the interface and handing it to the display
+  double picture = 0;  ///< going on with a picture that takes several passes
+};
+
+std::ostream& operator<<(std::ostream& out, const PassTimes& t) {
+  return out << t.whole << ' ' << t.state << ' ' << t.panels << ' ' << t.present << ' ' << t.picture
+             << '\n';
+}
+
 /// Where the window stood before it took the whole screen.
 struct WindowedPlace {
   int x = 0, y = 0, width = 1280, height = 800;
@@ -150,6 +164,7 @@ class Window::Parts {
         touched();
       }
       const double start = now();
+      times_ = {};
       if (due()) {
         pass(start - last);
         last = start;
@@ -161,8 +176,11 @@ class Window::Parts {
       const bool late = now() - start > kPassWithPicture;
       const bool leave = late && !pictureWaited_;
       pictureWaited_ = leave;
+      const double before = now();
       if (!leave && goOn()) framesLeft_ = std::max(framesLeft_, 1);
-      if (frameLog_) frameLog_ << now() - start << '\n' << std::flush;
+      times_.picture = now() - before;
+      times_.whole = now() - start;
+      if (frameLog_) frameLog_ << times_ << std::flush;
     }
     rememberSize();
   }
@@ -230,7 +248,9 @@ class Window::Parts {
 
   void pass(double seconds) {
     framesLeft_ = std::max(0, framesLeft_ - 1);
+    const double start = now();
     state_.update(seconds);
+    times_.state = now() - start;
     if (const float scale = wantedScale(); scale != frame_.scale()) {
       frame_.setScale(scale);
       drawer_.uploadFonts();
@@ -240,7 +260,10 @@ class Window::Parts {
     frame_.draw(&sides_, &uv_);
     drawer_.setVision(state_.view.vision);
     ImGui::Render();
+    const double built = now();
+    times_.panels = built - start - times_.state;
     present();
+    times_.present = now() - built;
     deadline_ = now() + frame_.wakeIn();
     pictures_.update(state_, sides_, frame_.scale());
     answerRequests();
@@ -318,6 +341,7 @@ class Window::Parts {
   std::string title_;
   int framesLeft_ = kSettlingFrames;
   double deadline_ = 0;
+  PassTimes times_;
   double passSeconds_ = 0;
   bool pictureWaited_ = false;  ///< the 3D view was left for the next turn
 };

@@ -14,7 +14,7 @@ namespace chartflood {
 /// Files that scripts of the real window read; "": not written.
 struct WindowWatch {
   std::filesystem::path probeFile;  ///< rectangles of all widgets, after every frame
-  std::filesystem::path frameLog;   ///< seconds that each pass of the loop took
+  std::filesystem::path frameLog;   ///< seconds that each pass of the loop and its parts took
 };
 
 class Window {

@@ -48,6 +48,13 @@ std::shared_ptr<const SurfaceDerived> Insight::surface(const Results& results) {
   return value && value->mesh == results.mesh ? value : nullptr;
 }
 
+std::shared_ptr<const TriangleTree> Insight::tree(const Results& results) {
+  if (!results.mesh) return nullptr;
+  auto value =
+      trees_.get(results.mesh, place_, [mesh = results.mesh] { return TriangleTree(mesh); });
+  return value && value->mesh() == results.mesh ? value : nullptr;
+}
+
 std::shared_ptr<const Insight::ProblemReport> Insight::problemReport(const Results& results) {
   if (!labelled(results) || !results.chartStats) return nullptr;
   return problems_.get(

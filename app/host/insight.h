@@ -14,6 +14,7 @@
 #include "app/host/problems.h"
 #include "app/host/sphere_patch.h"
 #include "app/host/surface_derived.h"
+#include "core/model/triangle_tree.h"
 #include "core/session/session.h"
 
 namespace chartflood {
@@ -37,6 +38,8 @@ class Insight {
 
   /// Null until it belongs to the mesh of the results.
   std::shared_ptr<const SurfaceDerived> surface(const Results& results);
+  /// For picking; null until it belongs to the mesh of the results.
+  std::shared_ptr<const TriangleTree> tree(const Results& results);
   std::shared_ptr<const std::vector<Problem>> problems(const Results& results);
   /// The same as it is drawn; null until it belongs to the segmentation of the results.
   std::shared_ptr<const SurfaceMarks> problemMarks(const Results& results);
@@ -79,6 +82,7 @@ class Insight {
   std::shared_ptr<Waker> waker_;
   WorkPlace place_;
   LazyValue<std::shared_ptr<const GaussArea>, SurfaceDerived> surface_;
+  LazyValue<std::shared_ptr<const Mesh>, TriangleTree> trees_;
   LazyValue<std::tuple<std::shared_ptr<const Segmentation>, std::shared_ptr<const ChartStats>,
                        std::shared_ptr<const GaussArea>, std::shared_ptr<const Atlas>, bool>,
             ProblemReport>

@@ -15,7 +15,6 @@ class PointerSource : public SceneSource {
     return nullptr;
   }
   Pick pick(int x, int y) override;
-  double pickSeconds() const override { return 0; }
 
  private:
   const AppState* state_ = nullptr;  ///< of the last picture

@@ -36,7 +36,6 @@ class FakeScene : public Halves<SceneSource> {
     return nullptr;
   }
   Pick pick(int x, int) override { return half(x); }
-  double pickSeconds() const override { return 0; }
 };
 
 class FakeUv : public Halves<UvSource> {

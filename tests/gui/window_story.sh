@@ -132,11 +132,17 @@ keys ctrl q
 wait $pid || fail "exit code $?"
 labels before
 rm "$folder/probe.json"  # of the window that was closed
+export CHARTFLOOD_FRAME_LOG=$folder/passes
 "$program" "$session" & pid=$!
 shows scrubber || fail "the saved session does not open"
 picture after
 shot reopened
 save "once more"
+# A window that nobody touches stands still. It may take a while until what was said has faded.
+passes() { wc -l < "$CHARTFLOOD_FRAME_LOG"; }
+rests() { local before; before=$(passes); sleep 2; [ "$(passes)" = "$before" ]; }
+xdotool mousemove 2 400
+await rests || fail "the resting window goes on drawing"
 labels after
 cmp -s "$folder/labels-before.txt" "$folder/labels-after.txt" || fail "other charts after the break"
 keys ctrl q

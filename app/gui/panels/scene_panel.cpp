@@ -16,8 +16,6 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kQuickPick = 0.02;  // slower picks wait for a resting mouse
-
 bool usesSeeds(const Ui& ui, const SceneMouse& mouse) {
   return ui.state.panels.tool == PanelState::Tool::Seeds && mouse.pane.live();
 }
@@ -73,14 +71,6 @@ void hover(const Ui& ui, SceneSource* source, const ViewRectangle& view, SceneMo
   const ImVec2 place = ImGui::GetIO().MousePos;
   const bool same = place.x == mouse.pickedAt.x && place.y == mouse.pickedAt.y;
   if (same || source == nullptr) return;
-  const double now = ImGui::GetTime();
-  if (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0)
-    mouse.restingSince = now;
-  if (source->pickSeconds() > kQuickPick) {
-    const double rested = now - mouse.restingSince;
-    if (ui.state.playback.playing()) return;
-    if (rested < kSettleSeconds) return ui.wakeIn(kSettleSeconds - rested);
-  }
   mouse.pickedAt = place;
   mouse.face = pickAt(source, view, place).face;
   const bool sameMesh = paneResults(ui.state, mouse.pane).mesh == ui.state.results().mesh;

@@ -17,8 +17,7 @@ struct SceneMouse {
   float travelled = 0;   ///< pixels since then
   double movedAt = -10;  ///< time of the last movement of the camera, ImGui::GetTime()
   ImVec2 pickedAt{-1, -1};
-  bool hovering = false;    ///< the mouse was over the view in the last frame
-  double restingSince = 0;  ///< time of the last movement of the mouse, ImGui::GetTime()
+  bool hovering = false;  ///< the mouse was over the view in the last frame
   /// The whole model was framed and the camera not moved since: it stays whole when the view
   /// changes its size.
   bool framed = false;

@@ -1,0 +1,239 @@
+// How the 3D view takes in what has changed in the state, so that each part of it goes to the
+// graphics card once.
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "app/gui/drawing_budget.h"
+#include "app/gui/scene_view.h"
+#include "render/corner_uv.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr std::size_t kFacesAtOnce = 30'000;  // of a flood's log taken in by one pass
+
+template <class Value>
+bool isReady(const std::future<Value>& future) {
+  return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace
+
+void SceneView::takeMesh(const AppState& state, const Results& results) {
+  if (results.mesh == mesh_) return;
+  mesh_ = results.mesh;
+  renderer_.setMesh(mesh_, nullptr);
+  if (pane_.live()) renderer_.setChartColors(state.view.chartColors);
+  segmentation_.reset();
+  stats_.reset();
+  record_.reset();
+  derived_.reset();
+  tree_.reset();
+  marks_.reset();
+  seeds_.clear();
+  chartSet_.reset();
+  atlas_.reset();
+  unwrap_.reset();
+  hintsShown_.reset();
+  ++content_;
+}
+
+void SceneView::takeDerived(const AppState& state, const Results& results) {
+  if (results.gaussArea != state.results().gaussArea && !insight_) {
+    insight_ = std::make_unique<Insight>(false);
+    insight_->setWake(wake_);
+  }
+  const bool shared = results.gaussArea == state.results().gaussArea;
+  if (!tree_) {
+    tree_ = (shared ? state.insight() : *insight_).tree(results);
+    if (tree_) renderer_.setTree(tree_);
+  }
+  const auto derived = (shared ? state.insight() : *insight_).surface(results);
+  if (!derived || derived == derived_) return;
+  derived_ = derived;
+  renderer_.setNormals(&derived->normals);
+  renderer_.setGaussValues(derived->gaussValues);
+  const int samples[] = {1, kSmoothSamples};
+  if (warmedFor_ != mesh_) renderer_.warmUp(RenderSettings{}, samples);
+  warmedFor_ = mesh_;
+  ++content_;
+}
+
+/// Fronts of the film in two colours that everyone can tell apart, what they remember dashed.
+void SceneView::takeFilm(const AppState& state) {
+  const bool shown = state.film.ready();
+  if (shown == filmShown_ && (!shown || state.film.position() == filmStep_)) return;
+  filmShown_ = shown;
+  filmStep_ = state.film.position();
+  hintsShown_.reset();  // they come back after the film
+  std::vector<EdgeLines> lines;
+  if (shown) {
+    const HandleFilm::Lines& film = state.film.lines();
+    lines.push_back({film.kept, glm::vec3(0.95f, 0.90f, 0.25f), 2.2f, true});
+    lines.push_back({film.fronts, glm::vec3(1), 2.6f, false});
+    lines.push_back({film.cuts, glm::vec3(0.84f, 0.37f, 0.0f), 3.4f, false});
+  }
+  renderer_.setLines(lines);
+  ++content_;
+}
+
+/// Painted edges while the tool is in the hand: where seams are welcome whole, where not dashed.
+void SceneView::takeHints(const AppState& state) {
+  if (filmShown_) return;
+  HintsShown wanted;
+  if (state.panels.tool == PanelState::Tool::Hints) {
+    wanted.hints = state.document().hints;
+    if (state.hintStroke) wanted.stroke = state.hintStroke->vertices;
+    wanted.brush = state.panels.brush;
+  }
+  if (hintsShown_ == wanted) return;
+  std::vector<EdgeLines> lines;
+  const glm::vec3 cut(0.25f, 0.88f, 0.95f), never(0.95f, 0.35f, 0.65f), erase(1);
+  lines.push_back({hintSides(*mesh_, wanted.hints, HintKind::Cut), cut, 3.4f, false});
+  lines.push_back({hintSides(*mesh_, wanted.hints, HintKind::Never), never, 3.4f, true});
+  lines.push_back({sidesAlong(*mesh_, wanted.stroke),
+                   wanted.brush == HintBrush::Cut     ? cut
+                   : wanted.brush == HintBrush::Never ? never
+                                                      : erase,
+                   3.4f, wanted.brush == HintBrush::Never});
+  std::erase_if(lines, [](const EdgeLines& each) { return each.sides.empty(); });
+  renderer_.setLines(lines);
+  hintsShown_ = std::move(wanted);
+  ++content_;
+}
+
+void SceneView::takeFlood(std::shared_ptr<const FloodRecord> record) {
+  if (record != record_) {
+    record_ = std::move(record);
+    recorded_ = 0;
+    floodTaken_ = false;
+    renderer_.setFlood(record_, 0);
+    ++content_;
+  }
+  if (record_ && (record_->size() != recorded_ || !floodTaken_)) {
+    recorded_ = record_->size();
+    // A whole flood at once would hold up the window; the rest comes with the next passes.
+    floodTaken_ = renderer_.updateFlood(kFacesAtOnce);
+    if (!floodTaken_) wake_();
+    ++content_;
+  }
+}
+
+/// Labels of a moment of the refinement, or the finished ones again.
+void SceneView::takeBorders(const AppState& state) {
+  std::optional<std::size_t> step;
+  if (state.playback.inBorders() && segmentation_) step = state.playback.borderStep();
+  if (step == borderStep_) return;
+  borderStep_ = step;
+  renderer_.setLabels(step ? state.shownLabels() : std::span<const Index>(segmentation_->label));
+  ++content_;
+}
+
+/// Colours of balance are those of the moment.
+void SceneView::takeAreas(const AppState& state) {
+  const auto& stats = state.shownStats();
+  if (!stats || stats == stats_) return;
+  stats_ = stats;
+  std::vector<double> areas;
+  for (const ChartFigures& chart : stats->charts) areas.push_back(chart.gaussArea);
+  renderer_.setChartAreas(areas);
+  if (state.view.render.colorMode == ColorMode::Balance) ++content_;
+}
+
+void SceneView::takeSeeds(const AppState& state) {
+  std::vector<SeedMark> marks =
+      pane_.live() ? seedMarks(state) : state.compare.stored[pane_.stored].seeds;
+  if (marks == seeds_) return;
+  seeds_ = std::move(marks);
+  renderer_.setSeeds(seeds_);
+  ++content_;
+}
+
+/// Only while they are shown: to find them takes as long as to flood a large model.
+void SceneView::takeMarks(const AppState& state, const Results& results) {
+  if (!state.view.render.problems || state.playback.playing()) return;
+  std::shared_ptr<const SurfaceMarks> wanted;
+  // Those of a stored result would be worked out in turn with the live ones, over and over.
+  if (results.segmentation == state.results().segmentation) {
+    wanted = state.insight().problemMarks(state.results());
+  }
+  if (wanted == marks_) return;
+  marks_ = wanted;
+  renderer_.setMarks(marks_ ? *marks_ : SurfaceMarks{});
+  ++content_;
+}
+
+void SceneView::takeUnwrap(const Results& results) {
+  if (isReady(flat_)) {
+    Flat flat = flat_.get();
+    if (flat.mesh == mesh_ && atlas_) {
+      renderer_.setCuts(flat.cuts);
+      renderer_.setUvLayout(std::move(flat.layout));
+      ++content_;
+    }
+  }
+  if ((results.atlas == atlas_ && results.charts == chartSet_) || flat_.valid()) return;
+  atlas_ = results.atlas;
+  chartSet_ = results.charts;
+  if (!atlas_ || !chartSet_) {
+    atlas_.reset();
+    renderer_.setCuts(chartSet_ ? cutSides(*chartSet_) : std::vector<Index>{});
+    renderer_.setCornerUv({});
+    ++content_;
+    return;
+  }
+  flat_ = std::async(
+      std::launch::async, [mesh = mesh_, charts = chartSet_, atlas = atlas_, wake = wake_] {
+        Flat flat{mesh, uvLayout(*mesh, cornerUv(*mesh, *charts, *atlas)), cutSides(*charts)};
+        wake();
+        return flat;
+      });
+}
+
+void SceneView::takeDistortion(const Results& results) {
+  if (results.unwrap == unwrap_) return;
+  unwrap_ = results.unwrap;
+  const auto show = [&](ColorMode mode, std::span<const float> values) {
+    // A part that does not fit the mesh is none.
+    const bool fits = values.size() == mesh_->triangleCount();
+    renderer_.setTriangleValues(mode, fits ? values : std::span<const float>{});
+  };
+  static const Unwrap none;
+  const Unwrap& unwrap = unwrap_ ? *unwrap_ : none;
+  show(ColorMode::Stretch, unwrap.stretch);
+  show(ColorMode::AreaDistortion, unwrap.area);
+  show(ColorMode::AngleDistortion, unwrap.angle);
+  ++content_;
+}
+
+void SceneView::takeIn(const AppState& state) {
+  const Results& results = paneResults(state, pane_);
+  takeMesh(state, results);
+  if (!mesh_) return;
+  takeDerived(state, results);
+  if (results.segmentation != segmentation_) {
+    segmentation_ = results.segmentation;
+    renderer_.setSegmentation(segmentation_.get());
+    stats_.reset();
+    borderStep_.reset();
+    ++content_;
+  }
+  if (pane_.live()) {
+    takeFlood(state.film.ready() ? state.film.flood() : state.playback.record());
+    takeBorders(state);
+    takeAreas(state);
+  } else {
+    takeFlood(results.record);
+  }
+  takeSeeds(state);
+  if (pane_.live()) takeFilm(state);
+  if (pane_.live()) takeHints(state);
+  takeMarks(state, results);
+  takeUnwrap(results);
+  takeDistortion(results);
+}
+
+}  // namespace chartflood
