@@ -115,6 +115,13 @@ void writeOutputs(const Session& session, const Invocation& call) {
   if (call.report == "-") printOutput(report(session));
 }
 
+/// Pictures, which hold where their charts came from, and sessions need the log of the last flood.
+FloodLogs neededLogs(const Invocation& call) {
+  const bool last = !call.output.empty() || !call.exportUv.empty() || !call.saveSession.empty() ||
+                    call.session || call.steps;
+  return last ? FloodLogs::LastRound : FloodLogs::None;
+}
+
 }  // namespace
 
 std::size_t peakMemoryBytes() {
@@ -138,6 +145,7 @@ void runBatch(const Invocation& call) {
   catchInterruptions();
   checkTargets(call);
   Session session(Session::Worker::Threaded);
+  session.setFloodLogs(neededLogs(call));
   openInput(session, call);
   segment(session, call);
   unwrap(session, call);

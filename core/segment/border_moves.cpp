@@ -12,12 +12,55 @@
 
 namespace chartflood {
 
-/// What a move adds up, per side, vertex and face.
+namespace {
+
+/// Mean length of the edges, 0 without any.
+double meanEdgeLength(const Mesh& mesh) {
+  const auto positions = mesh.positions();
+  double sum = 0;
+  for (Index s = 0; s < 3 * mesh.triangleCount(); ++s) {
+    if (mesh.edgeOfSide(s) != s) continue;
+    sum += glm::length(positions[mesh.sideStart(s)] - positions[mesh.sideEnd(s)]);
+  }
+  return sum / static_cast<double>(mesh.edgeCount());
+}
+
+}  // namespace
+
+/// What a move adds up. Few sides are ever asked about, so what they have is not tabled.
 struct BorderMoves::Tables {
-  std::vector<float> sideLength;    ///< crease-weighted, in mean edge lengths
-  std::vector<double> sideGauss;    ///< empty when no edge has Gauss area
+  const Mesh& mesh;
+  const GaussArea& gauss;
+  const Options options;
+  double meanLength;
   std::vector<double> vertexGauss;  ///< empty when no vertex has Gauss area
   std::vector<double> faceValue;    ///< Gauss area plus eta times area
+
+  /// Entry of the side's edge among the sharp ones, kNone for others.
+  Index sharpEdge(Index side) const {
+    const Index edge = mesh.edgeOfSide(side);
+    const auto found = std::lower_bound(gauss.sharpEdges.begin(), gauss.sharpEdges.end(), edge);
+    const bool sharp = found != gauss.sharpEdges.end() && *found == edge;
+    return sharp ? static_cast<Index>(found - gauss.sharpEdges.begin()) : kNone;
+  }
+  double sideGauss(Index side) const {
+    const Index sharp = sharpEdge(side);
+    return sharp == kNone ? 0.0 : gauss.edge[sharp];
+  }
+  /// Crease-weighted, in mean edge lengths.
+  double sideLength(Index side) const {
+    const auto positions = mesh.positions();
+    float length = static_cast<float>(
+        glm::length(positions[mesh.sideStart(side)] - positions[mesh.sideEnd(side)]));
+    if (meanLength > 0) {
+      length = static_cast<float>(static_cast<double>(length) / meanLength);
+      if (sharpEdge(side) != kNone) {
+        length = static_cast<float>(static_cast<double>(length) * options.creaseFactor);
+      }
+    }
+    if (!options.sideFactor.empty()) length *= static_cast<float>(options.sideFactor[side]);
+    return static_cast<double>(length);
+  }
 };
 
 /// A face's change of chart and what it does.
@@ -29,27 +72,6 @@ struct BorderMoves::Move {
 };
 
 namespace {
-
-std::vector<float> weightedLengths(const Mesh& mesh, const GaussArea& gauss, double creaseFactor) {
-  const auto positions = mesh.positions();
-  const std::size_t sides = 3 * mesh.triangleCount();
-  std::vector<float> length(sides);
-  double sum = 0;
-  for (Index s = 0; s < sides; ++s) {
-    const double l = glm::length(positions[mesh.sideStart(s)] - positions[mesh.sideEnd(s)]);
-    length[s] = static_cast<float>(l);
-    if (mesh.edgeOfSide(s) == s) sum += l;
-  }
-  const double mean = sum / static_cast<double>(mesh.edgeCount());
-  if (!(mean > 0)) return length;
-  for (float& l : length) l = static_cast<float>(static_cast<double>(l) / mean);
-  for (const Index s : gauss.sharpEdges) {
-    for (const Index side : {s, mesh.opposite()[s]}) {
-      length[side] = static_cast<float>(static_cast<double>(length[side]) * creaseFactor);
-    }
-  }
-  return length;
-}
 
 /// Sides of a face against other faces or the mesh border, in a cycle; false when they are not one
 /// cycle.
@@ -101,22 +123,12 @@ BorderMoves::BorderMoves(const Mesh& mesh, const GaussArea& gauss,
                          std::size_t charts, std::span<const Index> seeds, const Options& options)
     : mesh_(mesh), label_(std::move(label)), fixed_(mesh.faceCount(), false),
       sweepsLeft_(options.maxSweeps), active_((mesh.faceCount() + 63) / 64, ~std::uint64_t{0}) {
-  auto tables = std::make_unique<Tables>();
-  tables->sideLength = weightedLengths(mesh, gauss, options.creaseFactor);
-  for (Index s = 0; s < options.sideFactor.size(); ++s) {
-    tables->sideLength[s] *= static_cast<float>(options.sideFactor[s]);
-  }
+  auto tables =
+      std::make_unique<Tables>(Tables{mesh, gauss, options, meanEdgeLength(mesh), {}, {}});
   const std::vector<double> area = faceAreas(mesh);
   tables->faceValue.resize(mesh.faceCount());
   for (std::size_t f = 0; f < area.size(); ++f) {
     tables->faceValue[f] = faceGauss[f] + options.eta * area[f];
-  }
-  if (!gauss.sharpEdges.empty()) {
-    tables->sideGauss.assign(3 * mesh.triangleCount(), 0);
-    for (std::size_t i = 0; i < gauss.sharpEdges.size(); ++i) {
-      const Index side = gauss.sharpEdges[i];
-      tables->sideGauss[side] = tables->sideGauss[mesh.opposite()[side]] = gauss.edge[i];
-    }
   }
   if (!gauss.corners.empty()) {
     tables->vertexGauss.assign(mesh.vertexCount(), 0);
@@ -207,9 +219,9 @@ bool BorderMoves::findMove(Index face, Move& move) {
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Index side = sides_[i], next = sides_[i + 1 == sides_.size() ? 0 : i + 1];
     const bool stays = across(side) == from;
-    move.length += stays ? static_cast<double>(tables_->sideLength[side])
-                         : -static_cast<double>(tables_->sideLength[side]);
-    const double edge = tables_->sideGauss.empty() ? 0.0 : tables_->sideGauss[side];
+    const double length = tables_->sideLength(side);
+    move.length += stays ? length : -length;
+    const double edge = tables_->sideGauss(side);
     (stays ? move.loss : move.gain) += edge;
     if ((across(next) == from) != stays) continue;
     const Index vertex = mesh_.sideStart(next);
@@ -252,7 +264,7 @@ double BorderMoves::energy() const {
     const Index other = mesh_.opposite()[s];
     if (other == kNone || other < s) continue;
     if (label_[mesh_.faceOf(s / 3)] == label_[mesh_.faceOf(other / 3)]) continue;
-    length += static_cast<double>(tables_->sideLength[s]);
+    length += tables_->sideLength(s);
   }
   return length + balanceEnergy(sum_, squares_);
 }

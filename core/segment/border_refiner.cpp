@@ -46,8 +46,8 @@ BorderRefiner::BorderRefiner(const SegmentInputs& inputs, std::span<const double
     cuts.eta = in_.floodGraph->eta;
     cuts.oneSided = options_.oneSided;
     if (options_.sideFactor) cuts.sideFactor = *options_.sideFactor;
-    cuts_ = std::make_unique<SeamCuts>(*in_.mesh, *in_.gaussArea, faceGauss_, label_, charts_,
-                                       seeds_, cuts);
+    cuts_ = std::make_unique<SeamCuts>(*in_.mesh, *in_.gaussArea, faceGauss_, std::move(label_),
+                                       charts_, seeds_, cuts);
   } else if (options_.kind == RefineKind::Moves) {
     start_ = label_;
     beginMoves();
@@ -62,8 +62,8 @@ bool BorderRefiner::balanced() const {
 void BorderRefiner::beginMoves() {
   BorderMoves::Options moves{.weight = options_.cleanUp, .eta = in_.floodGraph->eta};
   if (options_.sideFactor) moves.sideFactor = *options_.sideFactor;
-  moves_ = std::make_unique<BorderMoves>(*in_.mesh, *in_.gaussArea, faceGauss_, label_, charts_,
-                                         seeds_, moves);
+  moves_ = std::make_unique<BorderMoves>(*in_.mesh, *in_.gaussArea, faceGauss_, std::move(label_),
+                                         charts_, seeds_, moves);
 }
 
 bool BorderRefiner::run(Progress& progress) {

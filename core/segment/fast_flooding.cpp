@@ -101,6 +101,7 @@ class FastFlooding final : public FloodRounds {
     seedFaces_.clear();
     for (const Index node : plan_.seeds()) seedFaces_.push_back(coarse_.start[node]);
     if (inBand()) {
+      if (!base_) setBase(makeBase(plan_.seeds(), plan_.offsets()));
       bandFlood_->start(base_->band.seeds, fast_.band, options().lookahead, std::move(record));
     } else {
       coarseFlood_->start(plan_.seeds(), plan_.offsets(), options().lookahead, std::move(record));
@@ -109,7 +110,9 @@ class FastFlooding final : public FloodRounds {
   std::size_t take(std::size_t count, Progress* progress) override {
     return flood().take(count, progress);
   }
-  std::size_t taken() const override { return flood().taken(); }
+  std::size_t taken() const override {
+    return inBand() && !bandFlood_ ? mesh().faceCount() : flood().taken();
+  }
   std::vector<Index> labels() const override { return flood().labels(); }
   const char* phaseName() const override {
     return inBand() ? "Flooding around the seams" : "Flooding clusters";
@@ -221,10 +224,20 @@ class FastFlooding final : public FloodRounds {
   }
 
   void keepBest() override {
+    bestFaces_.clear();
     bestBase_ = inBand() ? base_ : nullptr;
     bestNodeLabel_ = nodeLabel_;
   }
+  void rest() override {
+    bestFaces_ = bestLabels();
+    bestNodeLabel_ = nodeLabel_ = {};
+    bestBase_.reset();
+    if (!inBand()) return;
+    bandFlood_.reset();
+    base_.reset();
+  }
   std::vector<Index> bestLabels() const override {
+    if (!bestFaces_.empty()) return bestFaces_;
     return projectLabels(bestBase_ ? bestBase_->band.nodes : coarse_.nodes, bestNodeLabel_);
   }
 
@@ -335,6 +348,7 @@ class FastFlooding final : public FloodRounds {
   bool bandSeen_ = false;
   std::vector<Index> nodeLabel_, bestNodeLabel_;  ///< of the finished flood, of the best one
   std::shared_ptr<const BandBase> bestBase_;      ///< of the latter; null: nodes are clusters
+  std::vector<Index> bestFaces_;                  ///< the same of each face, while at rest
   std::vector<double> chartGauss_;                ///< of the finished flood
   Balance balance_;
 };

@@ -166,6 +166,7 @@ bool FloodRounds::finish(Progress& progress) {
     standAt(history_[kept]);
     iteration_ = kept;
     phase_ = Phase::Refining;
+    rest();
   }
   if (!refiner_) {
     const auto seeds = present().seeds;

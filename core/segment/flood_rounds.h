@@ -74,6 +74,8 @@ class FloodRounds : public Stepper {
 
   /// The round at hand is the best so far: its labels are kept until a better one comes.
   virtual void keepBest() { bestLabel_ = labels(); }
+  /// No flood follows for a while: what is made again quickly may go.
+  virtual void rest() {}
   /// The labels that were kept last.
   virtual std::vector<Index> bestLabels() const { return bestLabel_; }
 

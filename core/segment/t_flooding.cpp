@@ -27,7 +27,6 @@ class TFlooding final : public FloodRounds {
                       placeSeeds(mesh(), effectiveChartCount(mesh(), wanted), options.seeds,
                                  componentWeights(), rng),
                       options.offsets);
-    flood_ = makeFlood(*inputs.floodGraph, plan_.seeds().size());
     std::sort(locked_.begin(), locked_.end());
     restartFlood();
   }
@@ -35,17 +34,19 @@ class TFlooding final : public FloodRounds {
  private:
   FloodStart present() const override { return {nullptr, 0, plan_.seeds(), plan_.offsets()}; }
   void startFlood(std::shared_ptr<FloodRecord> record) override {
+    if (!flood_) flood_ = makeFlood(*inputs().floodGraph, plan_.seeds().size());
     flood_->start(plan_.seeds(), plan_.offsets(), options().lookahead, std::move(record));
   }
   std::size_t take(std::size_t count, Progress* progress) override {
     return flood_->advance(count, progress);
   }
-  std::size_t taken() const override { return flood_->taken(); }
+  std::size_t taken() const override { return flood_ ? flood_->taken() : mesh().faceCount(); }
   std::vector<Index> labels() const override {
     std::vector<Index> label;
     flood_->copyLabels(label);
     return label;
   }
+  void rest() override { flood_.reset(); }
   const char* phaseName() const override { return "Flooding"; }
   bool floodAside(const IterationSummary& round, std::shared_ptr<FloodRecord> record,
                   Progress* progress) const override {

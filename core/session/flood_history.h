@@ -11,6 +11,13 @@
 
 namespace chartflood {
 
+/// Which logs somebody will look at.
+enum class FloodLogs {
+  EveryRound,  ///< as far as a FloodHistory holds them
+  LastRound,
+  None,
+};
+
 /// A ring of logs: the oldest are dropped first, never the first round's, the best one's, the
 /// newest's, nor the one that was asked for last.
 class FloodHistory {

@@ -30,6 +30,8 @@ class Pipeline {
   };
   explicit Pipeline(Listener listener) : listener_(std::move(listener)) {}
 
+  /// Before the first stepper is made.
+  void setFloodLogs(FloodLogs logs) { logs_ = logs; }
   bool hasMesh() const { return mesh_ != nullptr; }
   /// Replaces the mesh and computes its Gauss area; charts are gone.
   void setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds, Progress& progress);
@@ -153,6 +155,7 @@ class Pipeline {
   std::shared_ptr<const FloodRecord> flood_;  ///< log of the last flood
   std::size_t floodRound_ = 0;                ///< that it was begun as
   std::size_t roundsSeen_ = 0;                ///< rounds of the stepper's history at the last look
+  FloodLogs logs_ = FloodLogs::EveryRound;
   FloodHistory floods_;
   Timing timing_;
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of

@@ -89,6 +89,7 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   options.detectCycles = p.detectCycles;
   options.settle = static_cast<std::size_t>(p.settle);
   options.keepLast = p.keep == "last";
+  options.record = logs_ != FloodLogs::None;
   options.refine = refineOptions(p);
   options.refine.sideFactor = hintFactors(*mesh_, document_.hints);
   options.vsa = {vsaSeeding(p.vsaSeeding), p.vsaTeleport};
@@ -117,7 +118,7 @@ void Pipeline::keepFlood() {
   roundsSeen_ = rounds;
   if (round >= rounds || flood_->size() < flood_->capacity()) return;
   floodRound_ = round;
-  floods_.keep(round, flood_, stepper_->bestIteration());
+  if (logs_ == FloodLogs::EveryRound) floods_.keep(round, flood_, stepper_->bestIteration());
 }
 
 void Pipeline::noteFlood(const FloodStart& start) {

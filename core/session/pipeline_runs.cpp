@@ -38,6 +38,7 @@ std::unique_ptr<Pipeline> Pipeline::runApart(const Parameters& parameters,
   auto apart = std::make_unique<Pipeline>(Listener{[](const FloodStart&) {}, [](const Notice&) {}});
   apart->document_ = document_;
   apart->document_.parameters = parameters;
+  apart->logs_ = logs_;
   apart->mesh_ = mesh_;
   apart->gauss_ = gauss_;
   apart->graph_ = graph_;

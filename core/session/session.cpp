@@ -104,6 +104,7 @@ class Session::Engine {
   }
 
   void setAutoUnwrap(bool on) { autoUnwrap_ = on; }
+  void setFloodLogs(FloodLogs logs) { pipeline_.setFloodLogs(logs); }
 
   void restore(const Document& document, const FloodMoment& moment) {
     if (moment.seeds.empty()) return setDocument(document, true);
@@ -337,6 +338,7 @@ void Session::findChartCount() { engine_->findChartCount(); }
 
 void Session::unwrap() { engine_->unwrap(); }
 
+void Session::setFloodLogs(FloodLogs logs) { engine_->setFloodLogs(logs); }
 void Session::setAutoUnwrap(bool on) { engine_->setAutoUnwrap(on); }
 
 void Session::stop() { engine_->stop(); }

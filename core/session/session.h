@@ -26,6 +26,7 @@
 #include "core/model/unwrap.h"
 #include "core/segment/segmenter.h"
 #include "core/session/document.h"
+#include "core/session/flood_history.h"
 
 namespace chartflood {
 
@@ -132,6 +133,9 @@ class Session {
   /// Whether charts are laid flat by themselves whenever a stop rule has fired or a change made a
   /// flat result stale. Off at first.
   void setAutoUnwrap(bool on);
+  /// Which logs of floods are kept; all by default. Labels are the same. Without any, charts have
+  /// no moment to be made again from. Call it before anything is asked for.
+  void setFloodLogs(FloodLogs logs);
 
   /// Advances the segmentation; steps asked for while one runs are queued after it.
   void step(StepUnit unit, std::size_t count = 1);
