@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/parallel.h"
 #include "core/flood/build_flood_graph.h"
 #include "core/segment/seed_spread.h"
 
@@ -15,6 +16,9 @@ namespace {
 constexpr std::size_t kClusters = 8000;         // at least, where there are faces enough
 constexpr std::size_t kClustersPerChart = 200;  // fewer than 150 cost balance
 constexpr std::size_t kSmallestCluster = 4, kLargestCluster = 256;  // faces a cluster
+
+constexpr std::size_t kParallelFaces = 100000;  // from which sums are made in parts
+constexpr std::size_t kParts = 4;
 
 /// Ways into the faces of a cluster.
 struct Ways {
@@ -28,23 +32,35 @@ struct Ways {
   }
 };
 
-/// Area-weighted centres, and the mean slowness of each cluster.
-std::vector<double> measureNodes(const NodeGraphSource& source, CoarseGraph& coarse) {
+/// What the faces of a cluster add up to.
+struct NodeSum {
+  double weight = 0;
+  glm::dvec3 center{0};  ///< times weight
+  Ways ways;
+
+  void add(const NodeSum& other) {
+    weight += other.weight;
+    center += other.center;
+    ways.length += other.ways.length;
+    ways.passed += other.ways.passed;
+  }
+};
+
+/// Adds up the faces of one part of the mesh. Ways belong to the cluster that they lead into.
+void addFaces(const NodeGraphSource& source, std::span<const Index> nodeOfFace,
+              std::span<const glm::dvec3> centroid, std::size_t begin, std::size_t end,
+              std::span<NodeSum> sums) {
   const Mesh& mesh = source.mesh;
-  const std::vector<glm::dvec3> centroid = faceCentroids(mesh);
   const auto area = mesh.triangleArea();
-  std::vector<double> weight(coarse.nodeCount(), 0);
-  std::vector<Ways> ways(coarse.nodeCount());
-  coarse.center.assign(coarse.nodeCount(), glm::dvec3(0));
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
+  for (Index f = static_cast<Index>(begin); f < end; ++f) {
     double w = 1e-300;  // the centroid of clusters without area is that of their faces
     for (Index t = mesh.triangleBegin(f); t < mesh.triangleBegin(f + 1); ++t) w += area[t];
-    const Index node = coarse.nodes.nodeOfFace[f];
-    weight[node] += w;
-    coarse.center[node] += w * centroid[f];
+    NodeSum& sum = sums[nodeOfFace[f]];
+    sum.weight += w;
+    sum.center += w * centroid[f];
     const auto enter = [&](Index g, float delay) {
-      ways[coarse.nodes.nodeOfFace[g]].add(glm::length(centroid[f] - centroid[g]),
-                                           static_cast<double>(delay));
+      sums[nodeOfFace[g]].ways.add(glm::length(centroid[f] - centroid[g]),
+                                   static_cast<double>(delay));
     };
     const FloodGraph& flood = source.flood;
     if (flood.packed()) {
@@ -58,10 +74,27 @@ std::vector<double> measureNodes(const NodeGraphSource& source, CoarseGraph& coa
       }
     }
   }
-  std::vector<double> slowness(coarse.nodeCount(), 0);
-  for (std::size_t n = 0; n < slowness.size(); ++n) {
-    coarse.center[n] /= weight[n];
-    if (ways[n].passed > 0) slowness[n] = ways[n].length / ways[n].passed;
+}
+
+/// Area-weighted centres, and the mean slowness of each cluster.
+std::vector<double> measureNodes(const NodeGraphSource& source, CoarseGraph& coarse) {
+  const std::vector<glm::dvec3> centroid = faceCentroids(source.mesh);
+  const std::size_t nodes = coarse.nodeCount(), faces = source.mesh.faceCount();
+  // The parts are the same for any number of threads, and so are the sums.
+  const std::size_t parts = faces >= kParallelFaces ? kParts : 1;
+  std::vector<std::vector<NodeSum>> sums(parts);
+  parallelFor(parts, [&](std::size_t part) {
+    sums[part].resize(nodes);
+    addFaces(source, coarse.nodes.nodeOfFace, centroid, faces * part / parts,
+             faces * (part + 1) / parts, sums[part]);
+  });
+  std::vector<double> slowness(nodes, 0);
+  coarse.center.resize(nodes);
+  for (std::size_t n = 0; n < nodes; ++n) {
+    NodeSum sum;
+    for (const auto& part : sums) sum.add(part[n]);
+    coarse.center[n] = sum.center / sum.weight;
+    if (sum.ways.passed > 0) slowness[n] = sum.ways.length / sum.ways.passed;
   }
   return slowness;
 }

@@ -3,11 +3,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/flood/build_flood_graph.h"
+#include "core/base/parallel.h"
 
 namespace chartflood {
 
 namespace {
+
+constexpr std::size_t kSides = 3 << 14;  // of a block
+
+/// A side of the mesh between two nodes, or at the mesh border.
+struct Crossing {
+  Index from, to, side;
+};
 
 /// Fills a node graph from the mesh, part by part.
 class NodeGraphBuilder {
@@ -33,20 +40,32 @@ class NodeGraphBuilder {
     const auto opposite = mesh_.opposite();
     const std::size_t nodes = graph_.nodeCount();
     flood.atMeshBorder.assign(nodes, 0);
-    std::vector<Index> begin(nodes + 2, 0), crossing;
-    for (Index s = 0; s < opposite.size(); ++s) {
-      const Index i = nodeOfSide(s);
-      if (opposite[s] == kNone) {
-        flood.atMeshBorder[i] = 1;
-      } else if (nodeOfSide(opposite[s]) != i) {
-        ++begin[i + 2];
-        crossing.push_back(s);
+    std::vector<std::vector<Crossing>> crossings((opposite.size() + kSides - 1) / kSides);
+    parallelBlocks(opposite.size(), kSides, [&](std::size_t first, std::size_t last) {
+      std::vector<Crossing>& found = crossings[first / kSides];
+      for (Index s = static_cast<Index>(first); s < last; ++s) {
+        const Index i = nodeOfSide(s);
+        const Index j = opposite[s] == kNone ? kNone : nodeOfSide(opposite[s]);
+        if (i != j) found.push_back({i, j, s});
+      }
+    });
+    std::vector<Index> begin(nodes + 2, 0);
+    for (const auto& block : crossings) {
+      for (const Crossing& c : block) {
+        if (c.to == kNone) {
+          flood.atMeshBorder[c.from] = 1;
+        } else {
+          ++begin[c.from + 2];
+        }
       }
     }
     for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
     std::vector<std::pair<Index, Index>> between(begin.back());  // head, side
-    for (const Index s : crossing) {
-      between[begin[nodeOfSide(s) + 1]++] = {nodeOfSide(opposite[s]), s};
+    for (auto& block : crossings) {
+      for (const Crossing& c : block) {
+        if (c.to != kNone) between[begin[c.from + 1]++] = {c.to, c.side};
+      }
+      block = {};
     }
     flood.arcBegin.assign(1, 0);
     flood.arcBegin.reserve(nodes + 1);

@@ -21,8 +21,10 @@
 #include "core/io/samples.h"
 #include "core/model/build_mesh.h"
 #include "core/segment/border_moves.h"
+#include "core/segment/coarse_graph.h"
 #include "core/segment/flood_cursor.h"
 #include "core/segment/registry.h"
+#include "core/segment/seam_band.h"
 #include "core/segment/seam_cuts.h"
 #include "core/segment/seeds.h"
 
@@ -181,13 +183,83 @@ void chartFigures(benchmark::State& state, const std::string& name) {
   perFace(state, p);
 }
 
-template <const char* const& kMethod>
+NodeGraphSource nodeSource(const Prepared& p) {
+  return {*p.in.mesh, *p.in.gaussArea, p.faceGauss, *p.in.floodGraph};
+}
+
+void coarseGraph(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  const std::size_t size = coarseClusterSize(p.in.mesh->faceCount(), p.seeds.size());
+  for (auto _ : state) {
+    const CoarseGraph coarse = makeCoarseGraph(nodeSource(p), clusterFaces(*p.in.mesh, {}, size));
+    state.counters["clusters"] = static_cast<double>(coarse.nodeCount());
+  }
+  perFace(state, p);
+}
+
+/// Heap operations, and what the graph of nodes occupies.
+void countNodes(benchmark::State& state, const Prepared& p, const NodeGraph& graph,
+                const FloodCounts& counts) {
+  const FloodGraph& g = graph.flood;
+  const std::size_t bytes = graph.nodeOfFace.size() * sizeof(Index) +
+                            g.arcs.size() * (sizeof(FloodArc) + 8) +
+                            g.faceCount * (32 + sizeof(float) + 3 * sizeof(Index) + 8);
+  state.counters["nodes/face"] = static_cast<double>(graph.nodeCount()) / p.faces();
+  state.counters["pushes/face"] = static_cast<double>(counts.pushes) / p.faces();
+  state.counters["pops/face"] = static_cast<double>(counts.pops) / p.faces();
+  state.counters["bytes/face"] = static_cast<double>(bytes) / p.faces();
+}
+
+/// One round of the fast search on clusters: flood and reposition.
+void coarseRound(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  const std::size_t size = coarseClusterSize(p.in.mesh->faceCount(), p.seeds.size());
+  const CoarseGraph coarse = makeCoarseGraph(nodeSource(p), clusterFaces(*p.in.mesh, {}, size));
+  Rng rng(1);
+  const std::vector<Index> seeds =
+      placeCoarseSeeds(coarse, p.in.mesh->componentCount(), p.seeds.size(), {}, rng);
+  const auto flood = makeFlood(coarse.nodes.flood, seeds.size(), OfferRule::ShortestTimes);
+  for (auto _ : state) {
+    flood->start(seeds, p.offsets, true, nullptr);
+    flood->advance(kAll, nullptr);
+    benchmark::DoNotOptimize(flood->farthestFromBorder(seeds));
+  }
+  perFace(state, p);
+  countNodes(state, p, coarse.nodes, flood->counts());
+}
+
+void seamBand(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  for (auto _ : state) {
+    const SeamBand band = makeSeamBand(nodeSource(p), p.flooded->label, p.flooded->seeds, 16);
+    state.counters["free/face"] = static_cast<double>(band.freeFaces) / p.faces();
+  }
+  perFace(state, p);
+}
+
+/// One round of the fast search around the seams.
+void bandRound(benchmark::State& state, const std::string& name) {
+  const Prepared& p = prepared(name);
+  const SeamBand band = makeSeamBand(nodeSource(p), p.flooded->label, p.flooded->seeds, 16);
+  const auto flood = makeFlood(band.nodes.flood, band.seeds.size(), OfferRule::ShortestTimes);
+  for (auto _ : state) {
+    flood->start(band.seeds, p.offsets, true, nullptr);
+    flood->advance(kAll, nullptr);
+  }
+  perFace(state, p);
+  countNodes(state, p, band.nodes, flood->counts());
+}
+
+template <const char* const& kMethod, RefineKind kRefine = RefineKind::Cuts,
+          SearchKind kSearch = SearchKind::Literal>
 void wholeSegmentation(benchmark::State& state, const std::string& name) {
   const Prepared& p = prepared(name);
   std::size_t rounds = 0;
   for (auto _ : state) {
     SegmentOptions options;
     options.record = false;
+    options.search = kSearch;
+    options.refine.kind = kRefine;
     const auto stepper = findSegmenter(kMethod)->make(p.in, options);
     Progress progress;
     stepper->advance(StepUnit::Converged, 1, progress);
@@ -203,20 +275,27 @@ constexpr const char* kMcgim = "mcgim";
 
 void registerAll(const std::string& mesh) {
   using Stage = void (*)(benchmark::State&, const std::string&);
-  const std::pair<const char*, Stage> stages[] = {{"glue", glue},
-                                                  {"gauss_area", gaussArea},
-                                                  {"flood_graph", floodGraph},
-                                                  {"seeds", seeds},
-                                                  {"flood", oneFlood},
-                                                  {"cursor", cursor},
-                                                  {"reposition", reposition},
-                                                  {"moves", borderMoves},
-                                                  {"cuts", seamCuts<true>},
-                                                  {"cuts_full", seamCuts<false>},
-                                                  {"figures", chartFigures},
-                                                  {"segment", wholeSegmentation<kTFlooding>},
-                                                  {"vsa", wholeSegmentation<kVsa>},
-                                                  {"mcgim", wholeSegmentation<kMcgim>}};
+  const std::pair<const char*, Stage> stages[] = {
+      {"glue", glue},
+      {"gauss_area", gaussArea},
+      {"flood_graph", floodGraph},
+      {"seeds", seeds},
+      {"flood", oneFlood},
+      {"cursor", cursor},
+      {"reposition", reposition},
+      {"moves", borderMoves},
+      {"cuts", seamCuts<true>},
+      {"cuts_full", seamCuts<false>},
+      {"figures", chartFigures},
+      {"segment", wholeSegmentation<kTFlooding>},
+      {"coarse_graph", coarseGraph},
+      {"coarse_round", coarseRound},
+      {"seam_band", seamBand},
+      {"band_round", bandRound},
+      {"segment_moves", wholeSegmentation<kTFlooding, RefineKind::Moves>},
+      {"fast_moves", wholeSegmentation<kTFlooding, RefineKind::Moves, SearchKind::Fast>},
+      {"vsa", wholeSegmentation<kVsa>},
+      {"mcgim", wholeSegmentation<kMcgim>}};
   for (const auto& [name, stage] : stages) {
     if (stage == seamCuts<false> && mesh == "bumps/1000000") continue;  // takes minutes
     benchmark::RegisterBenchmark((std::string(name) + "/" + mesh).c_str(),
