@@ -69,5 +69,5 @@ for tab in UV Charts sphere Plots; do
 done
 click tab/UV
 keys shift F12; shot dialog; keys Escape
-line "compare-methods"; sleep 2; hides stop; shot compare
+line "compare-methods"; sleep 2; hides progress; shot compare
 kill $pid

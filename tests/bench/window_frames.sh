@@ -59,7 +59,7 @@ mark; keys space; sleep 8; report "flood plays"
 keys Return; sleep 3; settle
 mark; stir scrubber 95 50 10 50 6; report "scrub"
 keys End; settle
-for row in p sharp-angle charts; do
+for row in speed-power sharp-angle charts; do
   [ -n "$(rectangle $row)" ] || { echo "$row: not in sight"; continue; }
   mark; stir $row 40 50 60 50 6; report "slider $row"
   settle; keys ctrl z; settle
@@ -69,14 +69,14 @@ mark; stir view 50 55 40 45 6; report "seed"
 settle; keys v
 mark; stir view 40 40 60 60 6; report "turn"
 settle
-# How long Esc takes to end a run: until the button to stop it has gone.
-click tab/UV; xdotool keydown Return; sleep 0.1; xdotool keyup Return
-if shows stop; then
+# How long Esc takes to end a run: until its progress has gone.
+drag charts 50 50 60 50
+if shows progress; then
   start=$(date +%s%N); xdotool key Escape
-  while grep -q '"stop"' "$folder/probe.json"; do sleep 0.005; done
-  echo "Esc ends a run after $((($(date +%s%N) - start) / 1000000)) ms"
+  await eval "! grep -q '\"progress\"' '$folder/probe.json'" || fail "Esc does not end the run"
+  echo "Esc ends a run within $((($(date +%s%N) - start) / 1000000)) ms (looked at ten times a second)"
 fi
 settle
 before=$(ticks); sleep 10; after=$(ticks)
-echo "at rest: $(((after - before))) of 1000 hundredths of a second"
+echo "at rest: $((after - before)) of 1000 hundredths of a second"
 kill $pid

@@ -31,6 +31,7 @@ void workBar(const Ui& ui, const std::string& words, float fraction) {
   list.AddRectFilled({at.x, y}, {at.x + width * fraction, y + height}, ui.theme.palette.accent,
                      height / 2);
   ImGui::Dummy({width, 0});
+  ui.probe.item("progress");
   ImGui::SameLine();
   // As high as the words' frame, so that both stand on one line.
   const ImVec2 padding(ui.px(6), ImGui::GetStyle().FramePadding.y);
