@@ -34,6 +34,7 @@ void SceneView::prepare(const AppState& state) {
 RenderSettings SceneView::settings(const AppState& state, float pixelScale) const {
   if (!state.compare.showing()) return sceneSettings(state, pixelScale);
   RenderSettings settings = paneLook(state, pane_);
+  settings.background = shownGround(settings.background, state.preferences.theme);
   settings.pixelScale = pixelScale;
   settings.playhead.reset();
   if (pane_.live()) {

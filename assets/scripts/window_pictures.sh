@@ -34,7 +34,7 @@ shot() { # name
     import -window root "$PICTURES_FOLDER/$PICTURES_SIZE-$PICTURES_THEME-$1.png"
   else
     case "$1" in # those that the README shows
-      uv | flood | compare) import -window root "$root/assets/pictures/window-$1.png" ;;
+      uv | compare) import -window root "$root/assets/pictures/window-$1.png" ;;
     esac
   fi
 }
@@ -59,6 +59,7 @@ sleep 3
 keys space; sleep 2.5; keys space
 shot flood
 keys Return
+[ -n "$(rectangle tab/UV)" ] || keys u
 shows uv || fail "it was not laid flat"
 sleep 4
 for tab in UV Charts sphere Plots; do
