@@ -34,7 +34,7 @@ struct Parameters {
   double mcgimLambda = 1;                 ///< mcgim-lambda
   std::string mcgimNormals = "frozen";    ///< mcgim-normals
   bool mcgimDisks = false;                ///< mcgim-disks
-  std::string search = "literal";         ///< search
+  std::string search = "auto";            ///< search
   std::string start = "auto";             ///< start
   std::string refine = "cuts";            ///< refine
   double balanceWeight = 1000;            ///< balance-weight: w
