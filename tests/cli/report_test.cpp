@@ -64,6 +64,7 @@ TEST(Report, HasEveryKeyOfTheFormat) {
                                   "seed_runs",
                                   "chart_runs",
                                   "per_chart",
+                                  "search",
                                   "timing_ms"}));
   EXPECT_EQ(keysOf(result["gauss_area"]),
             (Keys{"total", "vertices", "edges", "faces", "mean", "std_eq3", "std", "std_over_mean",
