@@ -132,7 +132,14 @@ void headers(const Ui& ui) {
   for (int column = 0; column < kColumns; ++column) {
     ImGui::TableSetColumnIndex(column);
     const char* name = ImGui::TableGetColumnName(column);
-    ImGui::TableHeader(name);
+    // The library's own words keep room for the arrow in every column and are cut short by it.
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    ImGui::TableHeader((std::string("##") + name).c_str());
+    ImFont& font = *ui.theme.small;
+    const float middle = (ImGui::GetItemRectSize().y - font.FontSize) / 2;
+    ImGui::GetWindowDrawList()->AddText(&font, font.FontSize,
+                                        {place.x, ImGui::GetItemRectMin().y + middle},
+                                        ImGui::GetColorU32(ImGuiCol_Text), name);
     ui.probe.item(std::string("column/") + name);
     tooltip(ui, std::string("column/") + name, "", kHelp[column]);
   }
