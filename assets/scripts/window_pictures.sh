@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Takes pictures of the real window in its sizes, themes and tabs, with the program that run.sh
 # builds: every one into FOLDER, to be looked at, or without it the few of the README into
-# assets/pictures. Needs xvfb, xdotool and imagemagick. Usage: window_pictures.sh [FOLDER [MODEL]]
+# assets/pictures. Needs xvfb, xdotool and imagemagick. PROGRAM in the
+# environment names another program. Usage: window_pictures.sh [FOLDER [MODEL]]
 set -u
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
 source "$root/tests/gui/window_support.sh"
 
 # The display of the size, the window's scale in it, the theme, and where the pictures go.
 if [ "${1:-}" != --inside ]; then
-  program=${CHARTFLOOD:-$root/build/release/chartflood}
+  program=${PROGRAM:-$root/build/release/chartflood}
   export PICTURES_FOLDER=${1:-} PICTURES_MODEL=${2:-} PICTURES_SCALE PICTURES_THEME PICTURES_SIZE
   if [ -z "$PICTURES_FOLDER" ]; then
     PICTURES_SIZE=1280x800 PICTURES_SCALE=1 PICTURES_THEME=dark

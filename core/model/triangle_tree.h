@@ -16,7 +16,7 @@ namespace chartflood {
 
 /// A hierarchy of boxes over the triangles in the order of a space-filling curve: every box of a
 /// level holds two neighbours of the level below, so that none needs to name its children. Takes
-/// about 18 bytes a triangle. Immutable and safe to share between threads.
+/// about 16 bytes a triangle. Immutable and safe to share between threads.
 class TriangleTree {
  public:
   explicit TriangleTree(std::shared_ptr<const Mesh> mesh);

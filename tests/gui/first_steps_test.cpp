@@ -1,6 +1,7 @@
 // The first minute: a model is dropped on the window that was just started, and charts appear on
 // it.
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
