@@ -17,7 +17,7 @@ std::string valueName(const ParameterInfo& info) {
   if (std::holds_alternative<bool Parameters::*>(info.member)) return "";
   std::vector<std::string> choices;
   for (const ParameterChoice& choice : info.choices) {
-    if (choice.built) choices.push_back(choice.id);
+    choices.push_back(choice.id);
   }
   if (!choices.empty()) return joined(choices);
   const std::string unit = info.unit;

@@ -13,7 +13,7 @@ std::string rangeText(const ParameterInfo& info) {
   if (std::holds_alternative<bool Parameters::*>(info.member)) return "on, off";
   std::string choices;
   for (const ParameterChoice& choice : info.choices) {
-    if (choice.built) choices += (choices.empty() ? "" : ", ") + std::string(choice.id);
+    choices += (choices.empty() ? "" : ", ") + std::string(choice.id);
   }
   if (!choices.empty()) return choices;
   const std::string zero = info.scale == SliderScale::LogZero ? "0, " : "";

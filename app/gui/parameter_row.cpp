@@ -166,7 +166,6 @@ void choiceControl(const Ui& ui, const ParameterInfo& info, const std::string& v
   ui.probe.item(info.id);
   if (!open) return;
   for (const ParameterChoice& choice : info.choices) {
-    if (!choice.built) continue;
     if (ImGui::Selectable(choice.label, value == choice.id)) {
       ui.run(setLine(info, choice.id, false));
     }

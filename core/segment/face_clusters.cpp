@@ -1,5 +1,6 @@
 #include "core/segment/face_clusters.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace chartflood {
@@ -97,6 +98,20 @@ FaceClusters clusterNearSeams(const Mesh& mesh, std::span<const Index> label, st
     spread(mesh, label, clusters.ofFace, queue);
   }
   return clusters;
+}
+
+bool clustersAround(const Mesh& mesh, std::span<const Index> ofFace, Index vertex,
+                    std::vector<Index>& around) {
+  around.clear();
+  const Index first = mesh.vertexSide()[vertex];
+  if (first == kNone) return false;
+  Index side = first;
+  do {
+    const Index cluster = ofFace[mesh.faceOf(side / 3)];
+    if (std::find(around.begin(), around.end(), cluster) == around.end()) around.push_back(cluster);
+    side = mesh.turn(side);
+  } while (side != kNone && side != first);
+  return side == first;
 }
 
 }  // namespace chartflood

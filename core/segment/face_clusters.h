@@ -30,4 +30,10 @@ FaceClusters clusterFaces(const Mesh& mesh, std::span<const Index> label, std::s
 /// is one big cluster. Cost: linear.
 FaceClusters clusterNearSeams(const Mesh& mesh, std::span<const Index> label, std::size_t rings);
 
+/// The distinct clusters around a vertex, in the order of its sides.
+/// \param around takes them
+/// \return whether faces go all around the vertex
+bool clustersAround(const Mesh& mesh, std::span<const Index> ofFace, Index vertex,
+                    std::vector<Index>& around);
+
 }  // namespace chartflood

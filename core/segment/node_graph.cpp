@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/segment/face_clusters.h"
 
 namespace chartflood {
 
@@ -104,7 +105,7 @@ class NodeGraphBuilder {
     std::vector<Index> around;
     for (std::size_t i = 0; i < gauss_.corners.size(); ++i) {
       if (!(gauss_.corner[i] > 0)) continue;
-      nodesAround(gauss_.corners[i], around);
+      clustersAround(mesh_, graph_.nodeOfFace, gauss_.corners[i], around);
       if (around.size() == 1) {
         graph_.gauss[around[0]] += gauss_.corner[i];
         continue;
@@ -147,18 +148,6 @@ class NodeGraphBuilder {
     const auto last = graph_.flood.arcs.begin() + graph_.flood.arcBegin[from + 1];
     return *std::lower_bound(first, last, to,
                              [](const FloodArc& arc, Index face) { return arc.face < face; });
-  }
-
-  /// The distinct nodes around a vertex.
-  void nodesAround(Index vertex, std::vector<Index>& around) const {
-    around.clear();
-    const Index first = mesh_.vertexSide()[vertex];
-    Index side = first;
-    do {
-      const Index node = nodeOfSide(side);
-      if (std::find(around.begin(), around.end(), node) == around.end()) around.push_back(node);
-      side = mesh_.turn(side);
-    } while (side != kNone && side != first);
   }
 
   const Mesh& mesh_;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/flood/build_flood_graph.h"
+#include "core/segment/face_clusters.h"
 
 namespace chartflood {
 
@@ -112,7 +113,7 @@ class LevelBuilder {
     level_.cornerNodeBegin.assign(1, 0);
     std::vector<Index> around;
     for (Index v = 0; v < mesh_.vertexCount(); ++v) {
-      if (!nodesAround(v, around)) continue;
+      if (!clustersAround(mesh_, level_.nodeOfFace, v, around)) continue;
       const double gauss = tables_.vertexGauss.empty() ? 0.0 : tables_.vertexGauss[v];
       if (around.size() == 1) {
         level_.value[around[0]] += gauss;
@@ -163,20 +164,6 @@ class LevelBuilder {
     Index arc = level_.arcBegin[from];
     while (level_.arcHead[arc] != to) ++arc;
     return arc;
-  }
-
-  /// The distinct nodes around an interior vertex; false for others.
-  bool nodesAround(Index vertex, std::vector<Index>& around) const {
-    around.clear();
-    const Index first = mesh_.vertexSide()[vertex];
-    if (first == kNone) return false;
-    Index side = first;
-    do {
-      const Index node = nodeOfSide(side);
-      if (std::find(around.begin(), around.end(), node) == around.end()) around.push_back(node);
-      side = mesh_.turn(side);
-    } while (side != kNone && side != first);
-    return side == first;
   }
 
   void listCorners() {

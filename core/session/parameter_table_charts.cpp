@@ -216,7 +216,7 @@ std::vector<ParameterInfo> stoppingRows() {
        .group = "Stopping",
        .help = "Which round is kept once a stop rule fires: the best one or the last.",
        .source = "3.4",
-       .choices = {{"best", "Best round", true}, {"last", "Last round", true}}},
+       .choices = {{"best", "Best round"}, {"last", "Last round"}}},
       {.id = "settle",
        .label = "Settle",
        .symbol = "",

@@ -15,9 +15,7 @@ std::vector<ParameterInfo> borderRows() {
        .help = "Shortest: seams as short as the balance allows. Tidied: only stairs are smoothed. "
                "As flooded: as in the paper.",
        .source = "",
-       .choices = {{"cuts", "Shortest", true},
-                   {"moves", "Tidied", true},
-                   {"none", "As flooded", true}}},
+       .choices = {{"cuts", "Shortest"}, {"moves", "Tidied"}, {"none", "As flooded"}}},
       {.id = "balance-weight",
        .label = "Balance or short seams",
        .symbol = "",
@@ -90,7 +88,7 @@ std::vector<ParameterInfo> cuttingRows() {
            "Shortest: the shortest cut around each handle. Wavefront: a growing front finds the "
            "handles, as in the paper.",
        .source = "3.6",
-       .choices = {{"shortest", "Shortest", true}, {"wavefront", "Wavefront", true}}},
+       .choices = {{"shortest", "Shortest"}, {"wavefront", "Wavefront"}}},
       {.id = "cut-loops",
        .label = "Open into disks",
        .symbol = "",
@@ -148,7 +146,7 @@ std::vector<ParameterInfo> unwrapRows() {
        .help = "Free: the least stretch, nothing flipped, nothing overlapping. Circle: every piece "
                "fills a disk, as in the paper.",
        .source = "4",
-       .choices = {{"free", "Free outline", true}, {"circle", "Circle", true}}},
+       .choices = {{"free", "Free outline"}, {"circle", "Circle"}}},
       {.id = "layout",
        .label = "Layout",
        .symbol = "",
@@ -158,7 +156,7 @@ std::vector<ParameterInfo> unwrapRows() {
        .help = "Packed: all pieces at one scale, close together. Square: each piece in a square of "
                "its own, as in the paper.",
        .source = "4",
-       .choices = {{"packed", "Packed", true}, {"square", "Squares", true}}},
+       .choices = {{"packed", "Packed"}, {"square", "Squares"}}},
       {.id = "texture-size",
        .label = "Texture size",
        .symbol = "",

@@ -14,9 +14,9 @@ std::vector<ParameterInfo> methodRows() {
        .group = "Method",
        .help = "How the pieces are found.",
        .source = "3",
-       .choices = {{"t-flooding", "T-flooding", true},
-                   {"vsa", "Variational shape approximation", true},
-                   {"mcgim", "Multi-chart geometry images", true}}},
+       .choices = {{"t-flooding", "T-flooding"},
+                   {"vsa", "Variational shape approximation"},
+                   {"mcgim", "Multi-chart geometry images"}}},
       {.id = "vsa-seeding",
        .label = "Coming to pieces",
        .symbol = "",
@@ -27,9 +27,7 @@ std::vector<ParameterInfo> methodRows() {
            "One by one: a new piece where the planes fit worst. Doubling: one in every piece at "
            "once. Random: all at once anywhere.",
        .source = "",
-       .choices = {{"one-by-one", "One by one", true},
-                   {"doubling", "Doubling", true},
-                   {"random", "Random", true}},
+       .choices = {{"one-by-one", "One by one"}, {"doubling", "Doubling"}, {"random", "Random"}},
        .method = "vsa"},
       {.id = "vsa-teleport",
        .label = "Move stuck pieces",
@@ -66,7 +64,7 @@ std::vector<ParameterInfo> methodRows() {
        .help = "Frozen: which way a piece faces is that of the round before. Running: it follows "
                "the piece as it grows.",
        .source = "",
-       .choices = {{"frozen", "Frozen", true}, {"running", "Running", true}},
+       .choices = {{"frozen", "Frozen"}, {"running", "Running"}},
        .method = "mcgim"},
       {.id = "mcgim-disks",
        .label = "Grow as disks",
@@ -89,7 +87,7 @@ std::vector<ParameterInfo> methodRows() {
                "it, then "
                "a few around the seams, for big meshes. Auto: fast above 300,000 faces.",
        .source = "3.4",
-       .choices = {{"auto", "Auto", true}, {"literal", "Literal", true}, {"fast", "Fast", true}},
+       .choices = {{"auto", "Auto"}, {"literal", "Literal"}, {"fast", "Fast"}},
        .method = "t-flooding"},
       {.id = "start",
        .label = "Start",
@@ -101,7 +99,7 @@ std::vector<ParameterInfo> methodRows() {
            "Flood: seeds far apart, as in the paper. Creases: the parts between sharp edges, for "
            "machine parts. Auto: creases where these divide the model.",
        .source = "3.4",
-       .choices = {{"auto", "Auto", true}, {"flood", "Flood", true}, {"creases", "Creases", true}},
+       .choices = {{"auto", "Auto"}, {"flood", "Flood"}, {"creases", "Creases"}},
        .method = "t-flooding"},
   };
 }

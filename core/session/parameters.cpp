@@ -39,7 +39,6 @@ std::string allowedNumbers(const ParameterInfo& info) {
 std::string allowedChoices(const ParameterInfo& info) {
   std::string text;
   for (const ParameterChoice& choice : info.choices) {
-    if (!choice.built) continue;
     if (!text.empty()) text += " or ";
     text += choice.id;
   }
@@ -68,9 +67,7 @@ void checkChoice(const ParameterInfo& info, const std::string& value) {
   std::vector<std::string> names;
   for (const ParameterChoice& choice : info.choices) {
     names.push_back(choice.id);
-    if (value != choice.id) continue;
-    if (!choice.built) refuse(info, value, "is not built yet");
-    return;
+    if (value == choice.id) return;
   }
   const std::string near = nearestSpelling(value, names);
   refuse(info, value, near.empty() ? "is not known" : "is not known (nearest: " + near + ")");

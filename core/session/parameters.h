@@ -81,7 +81,6 @@ enum class Stage {
 struct ParameterChoice {
   const char* id;
   const char* label;
-  bool built;  ///< false: known to the command line, refused with a sentence
 };
 
 /// One row of the table.

@@ -4,8 +4,6 @@
 // One thread unless CHARTFLOOD_THREADS says otherwise; the runs of best_of go side by side.
 
 #include <cstdlib>
-#include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -16,8 +14,6 @@
 #include "core/charts/crease_share.h"
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
-#include "core/io/read_mesh.h"
-#include "core/io/samples.h"
 #include "core/model/build_mesh.h"
 #include "core/segment/crease_regions.h"
 #include "core/segment/crease_start.h"
@@ -26,6 +22,7 @@
 #include "core/segment/seam_cuts.h"
 #include "core/session/run_set.h"
 #include "core/session/session.h"
+#include "tests/bench/prepared_mesh.h"
 
 namespace chartflood {
 namespace {
@@ -49,19 +46,7 @@ struct Prepared {
   }
 };
 
-/// "gear/20000" is a sample of so many triangles, anything else a file of the folder of meshes.
-const Prepared& prepared(const std::string& name) {
-  static std::map<std::string, std::unique_ptr<Prepared>> made;
-  std::unique_ptr<Prepared>& entry = made[name];
-  if (!entry) {
-    const std::size_t slash = name.find('/');
-    entry = std::make_unique<Prepared>(
-        slash == std::string::npos
-            ? readMesh(std::filesystem::path(CHARTFLOOD_MESHES) / name)
-            : makeSample(name.substr(0, slash), std::stoul(name.substr(slash + 1))));
-  }
-  return *entry;
-}
+const Prepared& prepared(const std::string& name) { return preparedMesh<Prepared>(name); }
 
 void perFace(benchmark::State& state, const Prepared& p) {
   const double faces = static_cast<double>(p.in.mesh->faceCount());

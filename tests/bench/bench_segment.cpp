@@ -3,9 +3,7 @@
 // `per_face` is what to compare; ratios of one run say more than single figures.
 
 #include <cstdlib>
-#include <filesystem>
 #include <limits>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -17,8 +15,6 @@
 #include "core/flood/build_flood_graph.h"
 #include "core/flood/flood.h"
 #include "core/gauss/compute_gauss_area.h"
-#include "core/io/read_mesh.h"
-#include "core/io/samples.h"
 #include "core/model/build_mesh.h"
 #include "core/segment/border_moves.h"
 #include "core/segment/coarse_graph.h"
@@ -27,6 +23,7 @@
 #include "core/segment/seam_band.h"
 #include "core/segment/seam_cuts.h"
 #include "core/segment/seeds.h"
+#include "tests/bench/prepared_mesh.h"
 
 namespace chartflood {
 namespace {
@@ -63,19 +60,7 @@ struct Prepared {
   double faces() const { return static_cast<double>(in.mesh->faceCount()); }
 };
 
-/// "bumps/20000" is a sample of so many triangles, anything else a file of the folder of meshes.
-const Prepared& prepared(const std::string& name) {
-  static std::map<std::string, std::unique_ptr<Prepared>> made;
-  std::unique_ptr<Prepared>& entry = made[name];
-  if (!entry) {
-    const std::size_t slash = name.find('/');
-    entry = std::make_unique<Prepared>(
-        slash == std::string::npos
-            ? readMesh(std::filesystem::path(CHARTFLOOD_MESHES) / name)
-            : makeSample(name.substr(0, slash), std::stoul(name.substr(slash + 1))));
-  }
-  return *entry;
-}
+const Prepared& prepared(const std::string& name) { return preparedMesh<Prepared>(name); }
 
 void perFace(benchmark::State& state, const Prepared& p) {
   state.counters["ns/face"] =

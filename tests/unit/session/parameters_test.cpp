@@ -177,17 +177,6 @@ TEST(ParameterRefusal, OfEveryBadNumber) {
   EXPECT_THAT(refusal("speed-epsilon", "0"), testing::HasSubstr("is out of range"));
 }
 
-TEST(ParameterRefusal, OfChoicesThatAreNotBuilt) {
-  for (const ParameterInfo& info : parameterTable()) {
-    for (const ParameterChoice& choice : info.choices) {
-      if (choice.built) continue;
-      const std::string sentence = refusal(info.id, choice.id);
-      EXPECT_THAT(sentence, testing::StartsWith("--" + std::string(info.id) + "=" + choice.id +
-                                                " is not built yet: give "));
-    }
-  }
-}
-
 TEST(ParameterRefusal, OfTheWrongKindOfValue) {
   Parameters values;
   EXPECT_THROW(setParameter(values, row("charts"), 20.0), UsageError);
