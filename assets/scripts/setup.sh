@@ -51,7 +51,7 @@ configure_release() {
     [ "$tests" = OFF ] && return 0
     grep -qx 'CHARTFLOOD_TESTS:BOOL=ON' "$cache" && return 0
   fi
-  # Most of a first build is reading the same headers again: several files at once take a third of
+  # Most of a first build is reading the same headers again: several files at once take less than half
   # the time. Who works on the sources configures without it and rebuilds single files.
   (cd "$root" && cmake --preset release -DCHARTFLOOD_TESTS="$tests" \
     -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=8 > /dev/null)
