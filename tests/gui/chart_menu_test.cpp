@@ -10,6 +10,7 @@
 #include "render/image.h"
 #include "tests/gui/headless_frame.h"
 #include "tests/gui/pointer_source.h"
+#include "tests/support/temporary_folder.h"
 
 namespace chartflood {
 namespace {
@@ -92,13 +93,11 @@ TEST_F(ChartMenu, GoesToTheTexture) {
 
 class OwnPicture : public ChartMenu {
  protected:
-  OwnPicture() : folder(std::filesystem::temp_directory_path() / "chartflood_own_picture") {
-    std::filesystem::create_directories(folder);
+  OwnPicture() {
     writePng(Image(8, 4, {10, 200, 30, 255}), folder / "green.png");
     std::ofstream(folder / "broken.png") << "no picture at all";
   }
-  ~OwnPicture() override { std::filesystem::remove_all(folder); }
-  std::filesystem::path folder;
+  const TemporaryFolder folder;
 };
 
 TEST_F(OwnPicture, ADroppedOneLiesOnTheChartsUntilItIsTakenOff) {

@@ -14,25 +14,12 @@
 #include "app/host/slider_scale.h"
 #include "app/host/undo_history.h"
 #include "core/base/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace chartflood {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// A new empty folder that goes away with the test.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "chartflood-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 TEST(Chord, ReadsAndWrites) {
   for (const char* text : {"Ctrl+Shift+Z", "Space", "+", "Ctrl++", "Kp5", "Alt+["}) {
@@ -111,7 +98,7 @@ TEST(UndoHistory, MergesAnOpenEntryOfOneKey) {
 }
 
 TEST(FileName, NeverOneThatExists) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto next = [&] {
     return freeFileName(folder.path(), "{model}_{mode}_{n:3}.png", "a/b", "charts");
   };
@@ -124,7 +111,7 @@ TEST(FileName, NeverOneThatExists) {
 }
 
 TEST(Preferences, RoundTrip) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Preferences wanted;
   wanted.uiScale = 1.5;
   wanted.navigation = NavigationStyle::Blender;
@@ -139,7 +126,7 @@ TEST(Preferences, RoundTrip) {
 }
 
 TEST(Preferences, BrokenFilesAreNamedAndNotFatal) {
-  const Folder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder.path() / "config.json") << "{ \"ui-scale\": \"big\" }";
   std::string warning;
   EXPECT_EQ(readPreferences(folder.path(), folder.path(), warning), Preferences{});

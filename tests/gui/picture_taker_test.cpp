@@ -13,7 +13,7 @@
 #include "app/host/action_registry.h"
 #include "render/gl/offscreen_context.h"
 #include "render/image.h"
-#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace chartflood {
 
@@ -37,16 +37,14 @@ class PictureTakerTest : public ::testing::Test {
     settle();
   }
   Image picture(const std::string& how) {
-    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) /
-                                       ("chartflood-picture-" + std::to_string(++count) + ".png");
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "picture.png";
     EXPECT_TRUE(state.perform(actions, "screenshot " + how + " file=" + file.string()));
     {
       PictureTaker taker([] {});
       taker.update(state, scene, 1);
     }  // waits for the file
-    const Image image = readPng(file);
-    std::filesystem::remove(file);
-    return image;
+    return readPng(file);
   }
   static Image columns(const Image& image, int from, int to) {
     Image part(to - from, image.height());
@@ -63,7 +61,6 @@ class PictureTakerTest : public ::testing::Test {
   ActionRegistry actions = makeActionRegistry();
   SceneView live{[] {}};
   CompareScene scene{live, [] {}};
-  int count = 0;
 };
 
 TEST_F(PictureTakerTest, AWipeShowsAOnTheLeftAndTheLiveStateOnTheRight) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gui/headless_frame.h"
+#include "tests/support/temporary_folder.h"
 
 namespace chartflood {
 namespace {
@@ -84,17 +85,10 @@ TEST_F(Presets, AreWrittenWhenTheyChange) {
 
 class PresetFile : public ::testing::Test {
  protected:
-  PresetFile()
-      : folder(std::filesystem::temp_directory_path() /
-               ("chartflood_presets_" +
-                std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()))) {
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-  }
-  ~PresetFile() override { std::filesystem::remove_all(folder); }
   Preferences readBack() { return readPreferences(folder, folder, warning); }
 
-  std::filesystem::path folder;
+  const TemporaryFolder temporary;
+  const std::filesystem::path folder = temporary.path();
   std::string warning;
 };
 

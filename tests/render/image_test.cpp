@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 #include <stb/stb_image_write.h>
-#include <unistd.h>
 
 #include "core/base/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace chartflood {
 namespace {
@@ -49,20 +49,18 @@ TEST(Png, BrokenBytesAreRefused) {
 }
 
 TEST(Png, AFailedWriteLeavesTheOldFileAndNothingElse) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("chartflood-png-" + std::to_string(getpid()));
+  const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "taken.png" / "inside");
   EXPECT_THROW(writePng(gradient(false), folder / "taken.png"), WriteError);
   EXPECT_THROW(writePng(gradient(false), folder / "missing" / "a.png"), WriteError);
   writePng(gradient(false), folder / "good.png");
   EXPECT_EQ(readPng(folder / "good.png"), gradient(false));
   std::size_t entries = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     (void)entry;
     ++entries;
   }
   EXPECT_EQ(entries, 2u);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(ImageDifference, CountsPixelsBeyondTheTolerance) {
@@ -89,17 +87,13 @@ TEST(ShrinkImage, AveragesColourByAlpha) {
 
 class PictureFiles : public ::testing::Test {
  protected:
-  PictureFiles() : folder(std::filesystem::temp_directory_path() / "chartflood_read_picture") {
-    std::filesystem::create_directories(folder);
-  }
-  ~PictureFiles() override { std::filesystem::remove_all(folder); }
   std::filesystem::path file(const char* name, const std::vector<std::uint8_t>& bytes) {
     std::ofstream stream(folder / name, std::ios::binary);
     stream.write(reinterpret_cast<const char*>(bytes.data()),
                  static_cast<std::streamsize>(bytes.size()));
     return folder / name;
   }
-  std::filesystem::path folder;
+  const TemporaryFolder folder;
 };
 
 std::vector<std::uint8_t> encodeJpeg(const Image& image) {

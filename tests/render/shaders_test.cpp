@@ -3,12 +3,12 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "core/base/error.h"
 #include "render/gl/program.h"
 #include "render/gl/shader_source.h"
 #include "tests/render/scene.h"
+#include "tests/support/temporary_folder.h"
 
 namespace chartflood {
 namespace {
@@ -65,21 +65,17 @@ class ShaderFolder : public test::GlTest {
  protected:
   void SetUp() override {
     GlTest::SetUp();
-    folder_ =
-        std::filesystem::temp_directory_path() / ("chartflood-shaders-" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
     write("a.vert", "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n");
-    gl::setShaderFolder(folder_);
+    gl::setShaderFolder(folder_.path());
   }
   void TearDown() override {
     gl::setShaderFolder({});
-    std::filesystem::remove_all(folder_);
     GlTest::TearDown();
   }
   void write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
   }
-  std::filesystem::path folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(ShaderFolder, ErrorsNameTheIncludedFileAndItsLine) {

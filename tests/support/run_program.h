@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/temporary_folder.h"
+
 namespace chartflood {
 
 struct ProgramRun {
@@ -17,19 +19,6 @@ struct ProgramRun {
 /// \throws std::runtime_error when it cannot be started
 ProgramRun runProgramIn(const std::filesystem::path& folder, const std::vector<std::string>& words,
                         int interruptAfter = -1);
-
-/// A new empty folder, removed with all it holds at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder();
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::string readAll(const std::filesystem::path& file);
 void writeAll(const std::filesystem::path& file, const std::string& text);

@@ -24,38 +24,38 @@ std::string causeOf(const std::filesystem::path& file) {
 }
 
 TEST(FileErrors, MissingFile) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   EXPECT_EQ(causeOf(folder.path() / "none.obj"), "there is no such file");
 }
 
 TEST(FileErrors, FileBelowAFile) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("a.obj", "v 0 0 0\n");
   EXPECT_EQ(causeOf(file / "b.obj"), "a part of its path is not a folder");
 }
 
 TEST(FileErrors, Folder) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "a.obj");
   EXPECT_EQ(causeOf(folder.path() / "a.obj"), "it is a folder; name a mesh file in it");
 }
 
 TEST(FileErrors, LinkThatLeadsNowhere) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::filesystem::create_symlink("gone.obj", folder.path() / "a.obj");
   EXPECT_EQ(causeOf(folder.path() / "a.obj"),
             "it is a symbolic link to a file that does not exist");
 }
 
 TEST(FileErrors, LinkThatLeadsToItself) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::filesystem::create_symlink("b.obj", folder.path() / "a.obj");
   std::filesystem::create_symlink("a.obj", folder.path() / "b.obj");
   EXPECT_EQ(causeOf(folder.path() / "a.obj"), "it is a symbolic link that leads back to itself");
 }
 
 TEST(FileErrors, PipeIsNotWaitedFor) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.path() / "a.obj";
   ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
   EXPECT_EQ(causeOf(file), "it is a pipe; only files can be read");
@@ -67,14 +67,14 @@ TEST(FileErrors, Device) {
 
 TEST(FileErrors, NoPermission) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("a.obj", "v 0 0 0\n");
   ASSERT_EQ(::chmod(file.c_str(), 0), 0);
   EXPECT_EQ(causeOf(file), "you have no permission to read it");
 }
 
 TEST(FileErrors, NameTooLong) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   EXPECT_EQ(causeOf(folder.path() / std::string(300, 'x')), "its name is too long");
 }
 
@@ -96,7 +96,7 @@ TEST(Formats, ContentOfAnotherFormatIsNamed) {
 }
 
 TEST(Reading, CancelledGivesNoMesh) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   Progress progress;
   progress.cancel();
@@ -104,7 +104,7 @@ TEST(Reading, CancelledGivesNoMesh) {
 }
 
 TEST(Reading, ReportsAPhaseAndItsEnd) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   Progress progress;
   EXPECT_EQ(readMesh(file, &progress)->file, file.string());

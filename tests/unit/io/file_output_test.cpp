@@ -21,7 +21,7 @@ std::string refusal(const std::filesystem::path& file) {
   return "";
 }
 
-std::size_t filesIn(const TempFolder& folder) {
+std::size_t filesIn(const TemporaryFolder& folder) {
   std::size_t count = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     ++count;
@@ -30,7 +30,7 @@ std::size_t filesIn(const TempFolder& folder) {
 }
 
 TEST(WriteFileAtomically, CreatesAndReplaces) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.path() / "a.txt";
   writeFileAtomically(file, "one");
   EXPECT_EQ(readWholeFile(file), "one");
@@ -44,7 +44,7 @@ TEST(WriteFileAtomically, CreatesAndReplaces) {
 }
 
 TEST(WriteFileAtomically, WritesBelowThePresentFolder) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto before = std::filesystem::current_path();
   std::filesystem::current_path(folder.path());
   writeFileAtomically("plain.txt", "here");
@@ -53,7 +53,7 @@ TEST(WriteFileAtomically, WritesBelowThePresentFolder) {
 }
 
 TEST(WriteFileAtomically, KeepsLinks) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("real.txt", "old");
   std::filesystem::create_symlink("real.txt", folder.path() / "link.txt");
   writeFileAtomically(folder.path() / "link.txt", "new");
@@ -62,7 +62,7 @@ TEST(WriteFileAtomically, KeepsLinks) {
 }
 
 TEST(WriteFileAtomically, RefusesWhatCannotBeReplaced) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "sub");
   EXPECT_NE(refusal(folder.path() / "sub").find("it is a folder"), std::string::npos);
   EXPECT_NE(refusal(folder.path() / "none" / "a.txt").find("its folder does not exist"),
@@ -74,7 +74,7 @@ TEST(WriteFileAtomically, RefusesWhatCannotBeReplaced) {
 
 TEST(WriteFileAtomically, RefusesProtectedFiles) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("a.txt", "old");
   ASSERT_EQ(::chmod(file.c_str(), 0400), 0);
   EXPECT_NE(refusal(file).find("it is write-protected"), std::string::npos);
@@ -82,7 +82,7 @@ TEST(WriteFileAtomically, RefusesProtectedFiles) {
 }
 
 TEST(StagedFile, LeavesTheOldFileUntilCommitted) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto file = folder.write("a.txt", "old");
   {
     const StagedFile abandoned(file, "new");
@@ -104,7 +104,7 @@ TEST(WriteLabels, GivesOneLineAnInputFaceInItsOrder) {
   ASSERT_EQ(mesh->faceCount(), 3u);
   const std::vector<Index> label = {4, kNone, 12};
   EXPECT_EQ(labelsText(*mesh, label), "-1\n4\n-1\n-1\n12\n");
-  const TempFolder folder;
+  const TemporaryFolder folder;
   writeLabels(folder.path() / "labels.txt", *mesh, label);
   EXPECT_EQ(readWholeFile(folder.path() / "labels.txt"), labelsText(*mesh, label));
 }

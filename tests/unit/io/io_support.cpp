@@ -12,29 +12,12 @@
 
 namespace chartflood::test {
 
-TempFolder::TempFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "chartflood-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = pattern;
-}
-
-TempFolder::~TempFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::filesystem::path TempFolder::write(const std::string& name, std::string_view bytes) const {
-  const std::filesystem::path file = path_ / name;
-  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
-  return file;
-}
-
 std::shared_ptr<const InputMesh> readFile(const std::filesystem::path& file) {
   return readMesh(file);
 }
 
 std::shared_ptr<const InputMesh> readBytes(const std::string& name, std::string_view bytes) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   return readMesh(folder.write(name, bytes));
 }
 

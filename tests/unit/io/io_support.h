@@ -10,24 +10,9 @@
 
 #include "core/model/input_mesh.h"
 #include "core/model/mesh.h"
+#include "tests/support/temporary_folder.h"
 
 namespace chartflood::test {
-
-/// An empty folder that is removed with all it holds.
-class TempFolder {
- public:
-  TempFolder();
-  ~TempFolder();
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  /// Writes a file into the folder. \returns its path
-  std::filesystem::path write(const std::string& name, std::string_view bytes) const;
-
- private:
-  std::filesystem::path path_;
-};
 
 std::shared_ptr<const InputMesh> readFile(const std::filesystem::path& file);
 /// Reads `bytes` as a file with this name.

@@ -151,7 +151,7 @@ TEST(ReadGltf, ReadsBuffersBesideTheFileOnly) {
   document["buffers"] = {{{"byteLength", 56}, {"uri", "square%20data.bin"}}};
   EXPECT_EQ(refusalOf("a.gltf", document.dump()),
             "its buffer square data.bin is not in the same folder");
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const std::string whole = glb(square());
   folder.write("square data.bin", whole.substr(whole.size() - 56));
   const auto mesh = readBytes("a.glb", whole);

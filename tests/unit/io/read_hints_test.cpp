@@ -1,6 +1,5 @@
 // Painted edges as text: core/io/read_hints.
 
-#include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -8,20 +7,20 @@
 
 #include "core/base/error.h"
 #include "core/io/read_hints.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_meshes.h"
 
 namespace chartflood {
 namespace {
 
-std::filesystem::path written(const std::string& text) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "hints.txt";
-  std::ofstream(file, std::ios::binary) << text;
-  return file;
+EdgeHints hintsIn(const std::string& text, const Mesh& mesh) {
+  const TemporaryFolder folder;
+  return readHints(folder.write("hints.txt", text), mesh);
 }
 
 std::string refusal(const std::string& text) {
   try {
-    readHints(written(text), *test::quadCube());
+    hintsIn(text, *test::quadCube());
   } catch (const ReadError& error) {
     return error.cause();
   }
@@ -30,11 +29,10 @@ std::string refusal(const std::string& text) {
 
 TEST(ReadHints, OfEitherKindInAnyOrder) {
   const auto mesh = test::grid(2, true);
-  const EdgeHints hints =
-      readHints(written("# seams\nnever 1 0\n\ncut 1 2  # here\nnever 2 1\n"), *mesh);
+  const EdgeHints hints = hintsIn("# seams\nnever 1 0\n\ncut 1 2  # here\nnever 2 1\n", *mesh);
   EXPECT_EQ(hints, (EdgeHints{{0, 1, HintKind::Never}, {1, 2, HintKind::Never}}));
-  EXPECT_EQ(readHints(written(hintsText(hints)), *mesh), hints);
-  EXPECT_EQ(readHints(written("# none\n"), *mesh), EdgeHints{});
+  EXPECT_EQ(hintsIn(hintsText(hints), *mesh), hints);
+  EXPECT_EQ(hintsIn("# none\n", *mesh), EdgeHints{});
 }
 
 TEST(ReadHints, RefusesWhatIsNone) {

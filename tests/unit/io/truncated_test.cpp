@@ -73,7 +73,7 @@ std::vector<SmallFile> smallFiles() {
 }
 
 /// Reads and builds. \returns whether the file was taken; every face then names vertices that exist
-bool survives(const TempFolder& folder, const std::string& name, const std::string& bytes) {
+bool survives(const TemporaryFolder& folder, const std::string& name, const std::string& bytes) {
   try {
     const auto input = readMesh(folder.write(name, bytes));
     for (const Index corner : input->corners) {
@@ -87,7 +87,7 @@ bool survives(const TempFolder& folder, const std::string& name, const std::stri
 }
 
 TEST(Truncated, EveryLengthIsTakenOrRefused) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (const SmallFile& file : smallFiles()) {
     SCOPED_TRACE(file.name);
     EXPECT_EQ(readBytes(file.name, file.bytes)->faceCount(), file.faces);
@@ -99,7 +99,7 @@ TEST(Truncated, EveryLengthIsTakenOrRefused) {
 }
 
 TEST(Truncated, EveryChangedByteIsTakenOrRefused) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   for (const SmallFile& file : smallFiles()) {
     SCOPED_TRACE(file.name);
     std::size_t refused = 0;

@@ -27,7 +27,7 @@ TEST(WriteMesh, ChoosesTheFormatByTheExtension) {
 }
 
 TEST(WriteMesh, LeavesTheOldFileWhenItFails) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const auto huge = meshOf({{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}}, {{0, 1, 2}});
   const auto file = folder.write("a.glb", "old");
   EXPECT_THROW(writeMesh(file, inPatches(huge, 1).view()), Error);
