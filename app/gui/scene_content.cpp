@@ -42,16 +42,13 @@ void SceneView::takeMesh(const AppState& state, const Results& results) {
 }
 
 void SceneView::takeDerived(const AppState& state, const Results& results) {
-  if (results.gaussArea != state.results().gaussArea && !insight_) {
-    insight_ = std::make_unique<Insight>(false);
-    insight_->setWake(wake_);
-  }
   const bool shared = results.gaussArea == state.results().gaussArea;
+  Insight& insight = shared ? state.insight() : paneInsight(state, pane_);
   if (!tree_) {
-    tree_ = (shared ? state.insight() : *insight_).tree(results);
+    tree_ = insight.tree(results);
     if (tree_) renderer_.setTree(tree_);
   }
-  const auto derived = (shared ? state.insight() : *insight_).surface(results);
+  const auto derived = insight.surface(results);
   if (!derived || derived == derived_) return;
   derived_ = derived;
   renderer_.setNormals(&derived->normals);
@@ -154,12 +151,10 @@ void SceneView::takeSeeds(const AppState& state) {
 
 /// Only while they are shown: to find them takes as long as to flood a large model.
 void SceneView::takeMarks(const AppState& state, const Results& results) {
-  if (!state.view.render.problems || state.playback.playing()) return;
-  std::shared_ptr<const SurfaceMarks> wanted;
-  // Those of a stored result would be worked out in turn with the live ones, over and over.
-  if (results.segmentation == state.results().segmentation) {
-    wanted = state.insight().problemMarks(state.results());
-  }
+  const bool shown =
+      state.compare.showing() ? paneLook(state, pane_).problems : state.view.render.problems;
+  if (!shown || (pane_.live() && state.playback.playing())) return;
+  const auto wanted = paneInsight(state, pane_).problemMarks(results);
   if (wanted == marks_) return;
   marks_ = wanted;
   renderer_.setMarks(marks_ ? *marks_ : SurfaceMarks{});

@@ -45,6 +45,8 @@ RenderSettings SceneView::settings(const AppState& state, float pixelScale) cons
     settings.hiddenCharts = live.hiddenCharts;
     settings.hoverChart = live.hoverChart;
     if (state.film.ready()) settings.colorMode = live.colorMode;
+    // They belong to the finished charts.
+    if (settings.playhead || state.film.ready()) settings.problems = false;
   }
   if (sharedRange_ && !settings.range) settings.range = sharedRange_;
   return settings;

@@ -107,8 +107,6 @@ class SceneView : public SceneSource {
   std::function<void()> wake_;
   ComparePane pane_;
   std::optional<std::pair<double, double>> sharedRange_;
-  /// Normals and Gauss values of a stored result with another Gauss area than the live one.
-  std::unique_ptr<Insight> insight_;
   gl::Framebuffer front_, back_;            ///< what is shown, and what is being drawn
   std::optional<Shown> shown_;              ///< in front_
   std::optional<Shown> pending_;            ///< begun in back_

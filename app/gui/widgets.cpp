@@ -181,7 +181,9 @@ void fittedText(const Ui& ui, const std::string& text, float width, ImU32 color)
   ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, {at.x + width, at.y + size.y},
                             at.x + width, at.x + width, text.c_str(), nullptr, &size);
   ImGui::PopStyleColor();
-  if (size.x > width) tooltip(ui, text, "", text);
+  if (size.x <= width) return;
+  ui.probe.item("cut/" + text);
+  tooltip(ui, text, "", text);
 }
 
 std::string grouped(std::size_t number) {

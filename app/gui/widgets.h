@@ -60,7 +60,8 @@ bool section(const Ui& ui, const char* title, bool openAtFirst = true, bool open
 void splitter(const Ui& ui, const char* label, ImVec2 position, float height, float& width,
               bool right, float least, float most);
 
-/// Text cut at `width` with an ellipsis; the whole text is its tooltip when it was cut.
+/// Text cut at `width` with an ellipsis; the whole text is its tooltip when it was cut, and it is
+/// noted as "cut/<text>".
 void fittedText(const Ui& ui, const std::string& text, float width, ImU32 color);
 
 /// Number with thin spaces between thousands: "69 451".

@@ -66,21 +66,24 @@ std::string paneName(const Compare& compare, ComparePane pane) {
   return pane.live() ? "Live" : compare.stored[pane.stored].name;
 }
 
-std::string differingParameters(const Parameters& mine, const Parameters& other, std::size_t most) {
-  std::string text;
-  std::size_t named = 0;
+std::vector<std::string> differingParameters(const Parameters& mine, const Parameters& other,
+                                             std::size_t most) {
+  std::vector<std::string> texts;
   for (const ParameterInfo& info : parameterTable()) {
     const std::string_view id = info.id;
     if (id == "method" || id == "charts") continue;  // stand in the heading
     const ParameterValue value = parameterValue(mine, info);
     if (value == parameterValue(other, info)) continue;
-    if (named++ == most) return text + ", \u2026";
+    if (texts.size() == most) {
+      texts.emplace_back("\u2026");
+      return texts;
+    }
     const bool number = std::holds_alternative<int>(value) || std::holds_alternative<double>(value);
     const std::string name = *info.symbol != '\0' ? info.symbol : info.label;
-    text += (text.empty() ? "" : ", ") + name + ' ' +
-            (number ? sliderText(info, asNumber(value)) : parameterText(value));
+    texts.push_back(name + ' ' +
+                    (number ? sliderText(info, asNumber(value)) : parameterText(value)));
   }
-  return text;
+  return texts;
 }
 
 std::optional<std::pair<double, double>>

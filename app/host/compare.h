@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/host/insight.h"
 #include "core/session/session.h"
 #include "render/camera.h"
 #include "render/render_settings.h"
@@ -41,6 +42,8 @@ struct StoredResult {
   std::vector<SeedMark> seeds;
   CompareLook look;
   Index selectedChart = kNone;
+  /// What is shown beside the results where it differs from the live ones; see paneInsight().
+  mutable std::shared_ptr<Insight> insight;
   bool ofMethods = false;  ///< put here by the comparison of methods, the next may replace it
 };
 
@@ -81,9 +84,10 @@ struct Compare {
 /// "A", or "Live".
 std::string paneName(const Compare& compare, ComparePane pane);
 
-/// The values of `mine` that differ between the two: "p 3, Charts 20"; at most so many.
-std::string differingParameters(const Parameters& mine, const Parameters& other,
-                                std::size_t most = 4);
+/// The values of `mine` that differ between the two: "p 3", "Charts 20"; at most so many, and an
+/// ellipsis where there are more.
+std::vector<std::string> differingParameters(const Parameters& mine, const Parameters& other,
+                                             std::size_t most = 4);
 
 /// One scale for several halves: from the smallest to the largest value; nothing when none of them
 /// has a scale of values.

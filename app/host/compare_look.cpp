@@ -56,6 +56,15 @@ const Results& paneResults(const AppState& state, ComparePane pane) {
   return pane.live() ? state.results() : *state.compare.stored[pane.stored].results;
 }
 
+Insight& paneInsight(const AppState& state, ComparePane pane) {
+  if (pane.live()) return state.insight();
+  const StoredResult& stored = state.compare.stored[pane.stored];
+  if (Insight::sameProblems(*stored.results, state.results())) return state.insight();
+  // In the state's own both would be worked out in turn, over and over.
+  if (!stored.insight) stored.insight = state.insight().beside();
+  return *stored.insight;
+}
+
 Camera paneCamera(const AppState& state, ComparePane pane) {
   const Compare& compare = state.compare;
   if (compare.linkCameras || isActive(compare, pane)) return state.view.camera;
@@ -90,12 +99,21 @@ PaneCaption paneCaption(const AppState& state, ComparePane pane) {
   const CompareFigures figures =
       pane.live() ? state.liveFigures() : compare.stored[pane.stored].figures;
   PaneCaption caption;
-  caption.heading = figures.method + "   K " + std::to_string(figures.charts);
-  if (figures.spread) caption.figures = format("spread %.1f %%", 100 * *figures.spread);
+  caption.method = figures.method;
+  caption.figures.push_back("K " + std::to_string(figures.charts));
+  if (figures.spread) caption.figures.push_back(format("spread %.1f %%", 100 * *figures.spread));
   if (figures.stretch) {
-    caption.figures += format("  stretch %.3f \u00b1%.3f", *figures.stretch, *figures.stretchStd);
+    caption.figures.push_back(
+        format("stretch %.3f \u00b1%.3f", *figures.stretch, *figures.stretchStd));
   }
-  if (figures.seams) caption.figures += format("  seams %.2f \u221aarea", *figures.seams);
+  if (figures.seams) caption.figures.push_back(format("seams %.2f \u221aarea", *figures.seams));
+  if (paneLook(state, pane).problems) {
+    const auto problems = paneInsight(state, pane).problems(results);
+    for (const Problem& each : problems ? *problems : std::vector<Problem>{}) {
+      caption.problems.push_back(problemText(each));
+    }
+    if (problems && problems->empty()) caption.problems.emplace_back("no problems");
+  }
   for (const ComparePane& other : compare.panes()) {
     if (other == pane) continue;
     caption.differing =

@@ -32,6 +32,13 @@ Insight::Insight(bool immediate) : waker_(std::make_shared<Waker>()) {
   };
 }
 
+std::unique_ptr<Insight> Insight::beside() const {
+  auto other = std::make_unique<Insight>(place_.immediate);
+  other->waker_ = waker_;
+  other->place_ = place_;
+  return other;
+}
+
 void Insight::setWake(std::function<void()> wake) {
   const std::scoped_lock lock(waker_->mutex);
   waker_->wake = std::move(wake);
@@ -55,16 +62,21 @@ std::shared_ptr<const TriangleTree> Insight::tree(const Results& results) {
   return value && value->mesh() == results.mesh ? value : nullptr;
 }
 
+Insight::ProblemKey Insight::problemKey(const Results& results) {
+  return {results.segmentation, results.chartStats, results.gaussArea, results.atlas, results.flat};
+}
+
+bool Insight::sameProblems(const Results& one, const Results& other) {
+  return problemKey(one) == problemKey(other);
+}
+
 std::shared_ptr<const Insight::ProblemReport> Insight::problemReport(const Results& results) {
   if (!labelled(results) || !results.chartStats) return nullptr;
-  return problems_.get(
-      {results.segmentation, results.chartStats, results.gaussArea, results.atlas, results.flat},
-      place_, [results] {
-        std::vector<Problem> problems = findProblems(results);
-        SurfaceMarks marks =
-            chartflood::problemMarks(*results.mesh, *results.segmentation, problems);
-        return ProblemReport{results.segmentation, std::move(problems), std::move(marks)};
-      });
+  return problems_.get(problemKey(results), place_, [results] {
+    std::vector<Problem> problems = findProblems(results);
+    SurfaceMarks marks = chartflood::problemMarks(*results.mesh, *results.segmentation, problems);
+    return ProblemReport{results.segmentation, std::move(problems), std::move(marks)};
+  });
 }
 
 std::shared_ptr<const std::vector<Problem>> Insight::problems(const Results& results) {

@@ -32,6 +32,8 @@ class Insight {
  public:
   /// `immediate`: everything is worked out within the call (scripts and tests).
   explicit Insight(bool immediate);
+  /// One for other results, worked out in the same place and waking whom this one wakes.
+  std::unique_ptr<Insight> beside() const;
   /// Called from another thread when something new can be shown.
   /// When this returns the one before is not running and never will again.
   void setWake(std::function<void()> wake);
@@ -41,6 +43,8 @@ class Insight {
   /// For picking; null until it belongs to the mesh of the results.
   std::shared_ptr<const TriangleTree> tree(const Results& results);
   std::shared_ptr<const std::vector<Problem>> problems(const Results& results);
+  /// True when both have the same problems, as far as can be told without looking for them.
+  static bool sameProblems(const Results& one, const Results& other);
   /// The same as it is drawn; null until it belongs to the segmentation of the results.
   std::shared_ptr<const SurfaceMarks> problemMarks(const Results& results);
   /// Histograms of the present colour mode at a moment.
@@ -76,17 +80,20 @@ class Insight {
     bool operator==(const HistogramKey&) const = default;
   };
 
+  /// What problems depend on.
+  using ProblemKey =
+      std::tuple<std::shared_ptr<const Segmentation>, std::shared_ptr<const ChartStats>,
+                 std::shared_ptr<const GaussArea>, std::shared_ptr<const Atlas>, bool>;
+
   struct Waker;
+  static ProblemKey problemKey(const Results& results);
   std::shared_ptr<const ProblemReport> problemReport(const Results& results);
 
   std::shared_ptr<Waker> waker_;
   WorkPlace place_;
   LazyValue<std::shared_ptr<const GaussArea>, SurfaceDerived> surface_;
   LazyValue<std::shared_ptr<const Mesh>, TriangleTree> trees_;
-  LazyValue<std::tuple<std::shared_ptr<const Segmentation>, std::shared_ptr<const ChartStats>,
-                       std::shared_ptr<const GaussArea>, std::shared_ptr<const Atlas>, bool>,
-            ProblemReport>
-      problems_;
+  LazyValue<ProblemKey, ProblemReport> problems_;
   LazyValue<HistogramKey, Histograms> histograms_;
   LazyValue<
       std::tuple<std::shared_ptr<const SurfaceDerived>, std::shared_ptr<const Segmentation>, Index>,

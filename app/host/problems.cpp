@@ -25,28 +25,28 @@ constexpr std::array kKinds = {ProblemKind::NotDisks,        ProblemKind::NotFla
 constexpr double kLeastOverlap = 0.05;
 
 struct KindInfo {
-  const char *id, *one, *many, *help;
+  const char *id, *one, *many, *name, *help;
 };
 
 constexpr std::array<KindInfo, kKinds.size()> kInfos = {{
-    {"not-disks", "chart is no disk", "charts are no disks",
+    {"not-disks", "chart is no disk", "charts are no disks", "Charts that are no disks",
      "A chart lies flat only when it is one piece with one border. The cuts of the unwrap open "
      "it; so does a seed more."},
-    {"not-flat", "chart is not laid flat", "charts are not laid flat",
+    {"not-flat", "chart is not laid flat", "charts are not laid flat", "Charts not laid flat",
      "The unwrap left them out: they have no place in the texture."},
-    {"flipped", "flipped triangle", "flipped triangles",
+    {"flipped", "flipped triangle", "flipped triangles", "Flipped triangles",
      "They face the other way in the texture: paint comes out mirrored and twice in one place."},
-    {"overlapping", "triangle over another", "triangles over others",
+    {"overlapping", "triangle over another", "triangles over others", "Triangles over others",
      "They share a place of the texture: paint on one shows on the other too."},
-    {"degenerate-faces", "face without area", "faces without area",
+    {"degenerate-faces", "face without area", "faces without area", "Faces without area",
      "They have no direction of their own and follow their neighbours. Usually harmless."},
-    {"thin-charts", "thin chart", "thin charts",
+    {"thin-charts", "thin chart", "thin charts", "Thin charts",
      "Thinner than 8 pixels of the texture: hard to paint on. Fewer charts or a larger texture "
      "help."},
-    {"open-sharp-edges", "sharp edge inside a chart", "sharp edges inside charts",
+    {"open-sharp-edges", "sharp edge inside a chart", "sharp edges inside charts", "Sharp edges inside charts",
      "No border follows them: shading and paint run across the crease. More crease avoidance or "
      "more charts help."},
-    {"non-manifold-edges", "edge of more than two faces", "edges of more than two faces",
+    {"non-manifold-edges", "edge of more than two faces", "edges of more than two faces", "Edges of more than two faces",
      "The surface branches there. It was split apart, so that a chart never runs across."},
 }};
 
@@ -256,6 +256,7 @@ const char* problemId(ProblemKind kind) { return infoOf(kind).id; }
 
 std::span<const ProblemKind> problemKinds() { return kKinds; }
 
+const char* problemName(ProblemKind kind) { return infoOf(kind).name; }
 const char* problemHelp(ProblemKind kind) { return infoOf(kind).help; }
 
 std::string problemText(const Problem& problem) {

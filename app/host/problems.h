@@ -45,6 +45,8 @@ const char* problemId(ProblemKind kind);
 std::span<const ProblemKind> problemKinds();
 /// "3 charts are no disks": the count and what it is of.
 std::string problemText(const Problem& problem);
+/// "Thin charts": what is meant, without a count.
+const char* problemName(ProblemKind kind);
 /// Why it matters and what helps, one or two sentences.
 const char* problemHelp(ProblemKind kind);
 

@@ -84,6 +84,24 @@ TEST_F(PictureTakerTest, SidesTakeEqualParts) {
   EXPECT_EQ(columns(sides, 0, 80), columns(sides, 80, 160));
 }
 
+TEST_F(PictureTakerTest, SidesHaveTheirOwnProblemsMarked) {
+  state.openSample("cube", 300);
+  settle();
+  run("set charts 2");
+  run("store A");
+  run("set charts 40");
+  const Image plain = picture("view=ab");
+  run("problems on");
+  const Image marked = picture("view=ab");
+  EXPECT_NE(columns(marked, 0, 80), columns(plain, 0, 80));
+  run("use A");
+  run("store B");
+  // Both sides are the same now, one of them as the live state has it.
+  const Image alike = picture("view=ab");
+  EXPECT_EQ(columns(alike, 0, 80), columns(marked, 0, 80));
+  EXPECT_EQ(columns(alike, 80, 160), columns(marked, 0, 80));
+}
+
 TEST_F(PictureTakerTest, ATransparentGroundHasNoAlpha) {
   state.preferences.picture.ground = "transparent";
   run("color-mode shaded");

@@ -1,70 +1,50 @@
 #include "app/gui/panels/compare_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
 
-#include "app/gui/widgets.h"
+#include "app/gui/panels/pane_caption.h"
 #include "app/host/compare_look.h"
 
 namespace chartflood {
 
 namespace {
 
-constexpr float kCaptionHeight = 62, kGrip = 12;
+constexpr float kGrip = 12, kLeastHeight = 70;
+constexpr float kMostOfHeight = 0.45f;  // that captions take from the views
 
-/// The letter on a plate, so that it is found at once.
-void badge(const Ui& ui, const std::string& name) {
-  const ImVec2 text = ImGui::CalcTextSize(name.c_str());
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float pad = ui.px(5);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + text.x + 2 * pad, at.y + text.y}, ui.theme.palette.accentSoft,
-                     ui.px(3));
-  list.AddText({at.x + pad, at.y}, ui.theme.palette.text, name.c_str());
-  ImGui::Dummy({text.x + 2 * pad, text.y});
-}
+/// Captions of all halves of a width, and the height that the tallest needs.
+struct Captions {
+  std::vector<CaptionLayout> each;
+  float height = 0;
+};
 
-/// What stands under a half, between two corners.
-void caption(const Ui& ui, ComparePane pane, ImVec2 low, ImVec2 high) {
-  const PaneCaption words = paneCaption(ui.state, pane);
-  const std::string name = paneName(ui.state.compare, pane);
-  const float pad = ui.px(8), button = pane.live() ? 0 : ui.px(64);
-  ImGui::GetWindowDrawList()->AddRectFilled(low, high, ui.theme.palette.panel);
-  ImGui::SetCursorScreenPos({low.x + pad, low.y + ui.px(6)});
-  ImGui::BeginGroup();
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(8), ui.px(1)));
-  const float room = high.x - low.x - 2 * pad;
-  badge(ui, name);
-  ImGui::SameLine();
-  ImGui::PushFont(ui.theme.strong);
-  const float used = ImGui::GetCursorScreenPos().x - low.x - pad;
-  fittedText(ui, words.heading, room - button - used, ui.theme.palette.text);
-  ImGui::PopFont();
-  // Below the button, over the whole width.
-  ImGui::SetCursorScreenPos({low.x + pad, low.y + ui.px(29)});
-  ImGui::PushFont(ui.theme.small);
-  fittedText(ui, words.figures, room, ui.theme.palette.text);
-  fittedText(ui, words.differing, room, ui.theme.palette.dim);
-  ImGui::PopFont();
-  ImGui::PopStyleVar();
-  ImGui::EndGroup();
-  ui.probe.item("caption/" + name);
-  if (pane.live()) return;
-  ImGui::SetCursorScreenPos({high.x - pad - button + ui.px(8), low.y + ui.px(3)});
-  textButton(ui, ("Use " + name).c_str(), "use " + name, {button - ui.px(8), ui.px(24)});
+Captions layOutCaptions(const Ui& ui, const std::vector<ComparePane>& panes, std::size_t count,
+                        ImVec2 area) {
+  Captions captions;
+  const float width = area.x / static_cast<float>(count) - ui.px(2);
+  for (std::size_t i = 0; i < count; ++i) {
+    captions.each.push_back(layOutCaption(ui, panes[i], width));
+    captions.height = std::max(captions.height, captions.each.back().height);
+  }
+  captions.height = std::round(std::min(captions.height, kMostOfHeight * area.y));
+  return captions;
 }
 
 void sideBySide(const Ui& ui, SceneSource* source, CompareMouse& mouse, ImVec2 low, ImVec2 high,
                 const std::vector<ComparePane>& panes) {
   const float width = (high.x - low.x) / static_cast<float>(panes.size());
+  const Captions captions =
+      layOutCaptions(ui, panes, panes.size(), {high.x - low.x, high.y - low.y});
   for (std::size_t i = 0; i < panes.size(); ++i) {
     const auto number = static_cast<float>(i);
     // The ground shows between them.
     const float left = std::round(low.x + number * width) + (i == 0 ? 0 : ui.px(1));
     const float right = std::round(low.x + (number + 1) * width) - ui.px(1);
-    const ViewRectangle view{{left, low.y}, {right, high.y - ui.px(kCaptionHeight)}};
+    const ViewRectangle view{{left, low.y}, {right, high.y - captions.height}};
     SceneMouse& hand = mouse.sides[i];
     hand.pane = panes[i];
     if (panes[i] == ui.state.compare.active || i == 0) frameModel(ui.state, view, hand);
@@ -74,7 +54,7 @@ void sideBySide(const Ui& ui, SceneSource* source, CompareMouse& mouse, ImVec2 l
     SceneMouse moved = hand;
     moved.movedAt = mouse.movedAt();
     scenePicture(ui, side, view, moved);
-    caption(ui, panes[i], {left, view.max.y}, {right, high.y});
+    paneCaption(ui, panes[i], captions.each[i], {left, view.max.y}, {right, high.y});
   }
 }
 
@@ -110,7 +90,8 @@ void drawWipeLine(const Ui& ui, const ViewRectangle& view, float line) {
 
 void wipe(const Ui& ui, SceneSource* source, CompareMouse& mouse, ImVec2 low, ImVec2 high,
           const std::vector<ComparePane>& panes) {
-  const ViewRectangle view{low, {high.x, high.y - ui.px(kCaptionHeight)}};
+  const Captions captions = layOutCaptions(ui, panes, 2, {high.x - low.x, high.y - low.y});
+  const ViewRectangle view{low, {high.x, high.y - captions.height}};
   const auto share = static_cast<float>(ui.state.compare.wipe);
   const float line = std::round(low.x + share * (view.max.x - view.min.x));
   wipeGrip(ui, view, line);
@@ -133,15 +114,15 @@ void wipe(const Ui& ui, SceneSource* source, CompareMouse& mouse, ImVec2 low, Im
   }
   drawWipeLine(ui, view, line);
   const float middle = std::round((low.x + high.x) / 2);
-  caption(ui, panes[0], {low.x, view.max.y}, {middle - ui.px(1), high.y});
-  caption(ui, panes[1], {middle + ui.px(1), view.max.y}, high);
+  paneCaption(ui, panes[0], captions.each[0], {low.x, view.max.y}, {middle - ui.px(1), high.y});
+  paneCaption(ui, panes[1], captions.each[1], {middle + ui.px(1), view.max.y}, high);
 }
 
 }  // namespace
 
 void comparePanel(const Ui& ui, SceneSource* source, CompareMouse& mouse) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
-  if (size.x < 8 || size.y < ui.px(kCaptionHeight) + 8) return;
+  if (size.x < 8 || size.y < ui.px(kLeastHeight)) return;
   const ImVec2 high{low.x + size.x, low.y + size.y};
   const std::vector<ComparePane> panes = ui.state.compare.panes();
   if (ui.state.compare.layout == Compare::Layout::Wipe) {

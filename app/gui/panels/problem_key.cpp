@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <imgui_internal.h>
 
 #include "app/gui/widgets.h"
+#include "app/host/compare_look.h"
 #include "app/host/problem_marks.h"
 
 namespace chartflood {
@@ -44,9 +47,38 @@ void line(ImDrawList& list, ImVec2 low, float side, const ProblemLook& look, ImU
   piece(0.58f, 0.92f);
 }
 
-std::string keyTitle(const Ui& ui, const std::vector<Problem>* problems) {
-  if (problems == nullptr) return ui.state.hasMesh() ? "No charts to look at yet" : "";
-  return problems->empty() ? "No problems found" : "";
+/// Kinds that at least one half of a comparison has; null: not known yet of any.
+std::optional<std::vector<ProblemKind>> comparedKinds(const Ui& ui) {
+  std::optional<std::vector<ProblemKind>> kinds;
+  for (const ComparePane& pane : ui.state.compare.panes()) {
+    const auto problems = paneInsight(ui.state, pane).problems(paneResults(ui.state, pane));
+    if (!problems) continue;
+    if (!kinds) kinds.emplace();
+    for (const Problem& each : *problems) kinds->push_back(each.kind);
+  }
+  if (!kinds) return kinds;
+  std::sort(kinds->begin(), kinds->end());
+  kinds->erase(std::unique(kinds->begin(), kinds->end()), kinds->end());
+  return kinds;
+}
+
+float nameWidth(const Ui& ui, const std::string& words) {
+  return ImGui::CalcTextSize(words.c_str()).x + ui.px(34);
+}
+
+/// What a mark means; counts stand under the halves.
+void kindRow(const Ui& ui, ProblemKind kind) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight(), side = ui.px(14);
+  const std::string words = problemName(kind);
+  ImGui::Dummy({nameWidth(ui, words), height});
+  const std::string label = std::string("key/") + problemId(kind);
+  ui.probe.item(label);
+  tooltip(ui, label, "", problemHelp(kind));
+  const float middle = low.y + height / 2;
+  problemSwatch(ui, kind, {low.x + ui.px(5), std::round(middle - side / 2)}, side);
+  ImGui::GetWindowDrawList()->AddText({low.x + ui.px(26), middle - ImGui::GetFontSize() / 2},
+                                      ui.theme.palette.text, words.c_str());
 }
 
 }  // namespace
@@ -104,12 +136,16 @@ void problemRow(const Ui& ui, const Problem& problem, float width, const char* s
 
 void problemKey(const Ui& ui, ImVec2 areaMin) {
   if (!ui.state.view.render.problems || !ui.state.hasMesh() || ui.state.film.ready()) return;
+  const bool comparing = ui.state.compare.showing();
   const auto problems = ui.state.insight().problems(ui.state.results());
-  const std::string title = keyTitle(ui, problems.get());
-  float width = ImGui::CalcTextSize(title.c_str()).x + ui.px(10);
-  if (title.empty()) {
+  const auto kinds = comparing ? comparedKinds(ui) : std::nullopt;
+  const bool known = comparing ? kinds.has_value() : problems != nullptr;
+  const bool none = known && (comparing ? kinds->empty() : problems->empty());
+  const char* title = !known ? "No charts to look at yet" : none ? "No problems found" : "";
+  float width = 0;
+  if (known && !comparing) {
     for (const Problem& each : *problems) {
-      width = std::max(width, ImGui::CalcTextSize(problemText(each).c_str()).x + ui.px(34));
+      width = std::max(width, nameWidth(ui, problemText(each)));
     }
   }
   constexpr ImGuiWindowFlags kFlags =
@@ -121,11 +157,13 @@ void problemKey(const Ui& ui, ImVec2 areaMin) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.theme.palette.bar);
   ImGui::Begin("problem key", nullptr, kFlags);
-  if (!title.empty()) {
+  if (*title != '\0') {
     ImGui::SetCursorPosX(ui.px(8));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(title.c_str());
+    ImGui::TextUnformatted(title);
     ui.probe.item("problem-key");
+  } else if (comparing) {
+    for (const ProblemKind kind : *kinds) kindRow(ui, kind);
   } else {
     for (const Problem& each : *problems) problemRow(ui, each, width, "key/");
   }
