@@ -1,6 +1,10 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <iterator>
+#include <span>
+#include <string_view>
+
 #include "core/base/error.h"
 #include "render/gl/offscreen_context.h"
 
@@ -8,12 +12,34 @@ namespace chartflood::gl {
 
 namespace {
 
-/// The display is opened once and never closed: closing unloads the driver under other contexts.
-EGLDisplay openDisplay() {
-  if (!epoxy_has_egl()) throw Error("The library EGL was not found; install the package libegl1.");
+/// A graphics card that draws without a display: the first of the system's that can be opened
+/// (their drivers know this way only). EGL_NO_DISPLAY where there is none; software devices do not
+/// count.
+EGLDisplay openCard() {
+  if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") ||
+      !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_query") ||
+      !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
+    return EGL_NO_DISPLAY;
+  }
+  EGLDeviceEXT devices[16];
+  EGLint count = 0;
+  if (!eglQueryDevicesEXT(std::size(devices), devices, &count)) return EGL_NO_DISPLAY;
+  for (const EGLDeviceEXT device : std::span(devices, static_cast<std::size_t>(count))) {
+    const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+    if (extensions != nullptr &&
+        std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos) {
+      continue;
+    }
+    const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+    if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr)) return display;
+  }
+  return EGL_NO_DISPLAY;
+}
+
+EGLDisplay openSoftware() {
   if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-    throw Error(
-        "EGL cannot draw without a display here (EGL_MESA_platform_surfaceless is missing).");
+    throw Error("EGL cannot draw without a display here: it finds no graphics card, and "
+                "EGL_MESA_platform_surfaceless is missing.");
   }
   const EGLDisplay display =
       eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -21,6 +47,13 @@ EGLDisplay openDisplay() {
     throw Error("EGL could not be started; install the packages libegl-mesa0 and libgl1-mesa-dri.");
   }
   return display;
+}
+
+/// The display is opened once and never closed: closing unloads the driver under other contexts.
+EGLDisplay openDisplay() {
+  if (!epoxy_has_egl()) throw Error("The library EGL was not found; install the package libegl1.");
+  const EGLDisplay card = openCard();
+  return card != EGL_NO_DISPLAY ? card : openSoftware();
 }
 
 EGLDisplay display() {
