@@ -44,7 +44,7 @@ class FloodEngine final : public Flood {
     std::size_t took = 0;
     while (took < count && !done_) {
       const std::size_t burst = std::min(count - took, kBurst);
-      for (std::size_t i = 0; i < burst && !done_; ++i) took += step() ? 1 : 0;
+      took += takeSome(burst);
       if (record_) record_->publish();
       if (progress != nullptr) {
         progress->setFraction(static_cast<float>(counts_.takes) /
@@ -78,29 +78,45 @@ class FloodEngine final : public Flood {
     double nextGain = 0;  ///< gain of the heap's top, for the key and for its taking
   };
 
-  /// Takes one face; false when the last one was taken before.
-  bool step() {
-    if (nextSeed_ < seeds_.size()) {
-      const Index chart = nextSeed_++;
-      CF_CHECK(store_.isFree(seeds_[chart]));
-      charts_[chart].balance += store_.gain(seeds_[chart], chart);
-      take(seeds_[chart], chart, 0.0f, false);
-      if (nextSeed_ == seeds_.size()) {
-        for (Index c = 0; c < charts_.size(); ++c) rank(c);
-        done_ = !findNext();
-      }
-      return true;
-    }
+  /// Takes up to `count` faces; returns how many.
+  std::size_t takeSome(std::size_t count) {
+    std::size_t took = 0;
+    for (; took < count && nextSeed_ < seeds_.size(); ++took) takeSeed();
+    for (; took < count && !done_; ++took) grow();
+    return took;
+  }
+
+  void takeSeed() {
+    const Index chart = nextSeed_++;
+    CF_CHECK(store_.isFree(seeds_[chart]));
+    charts_[chart].balance += store_.gain(seeds_[chart], chart);
+    take(seeds_[chart], chart, 0.0f, false);
+    if (nextSeed_ < seeds_.size()) return;
+    for (Index c = 0; c < charts_.size(); ++c) rank(c);
+    done_ = !findNext();
+  }
+
+  /// Takes the next face.
+  void grow() {
     const Index chart = next_;
     Chart& growing = charts_[chart];
     const TimedFace top = growing.heap.top();
     ++counts_.pops;
     growing.balance += growing.nextGain;
+    const PrimaryQueue::Ranked other = queue_.firstBut(chart);
     take(faceOf(top), chart, timeOf(top), true);
-    rank(chart);
+    const PrimaryQueue::Ranked own = rank(chart);
+    // Nearly always another chart goes on, which is known already: as a branch that is foreseen,
+    // this lets its taking begin while the heap of this one is still being put in order.
+    if (!own.before(other)) [[likely]] {
+      next_ = other.chart;
+      if (other.canGrow() && topIsFree(next_)) [[likely]]
+        return;
+    }
     done_ = !findNext();
-    return true;
   }
+
+  bool topIsFree(Index chart) const { return store_.isFree(faceOf(charts_[chart].heap.top())); }
 
   /// Labels the face and offers its neighbours. With `fromHeap` the face is the heap's top, whose
   /// place the first offer takes.
@@ -123,25 +139,24 @@ class FloodEngine final : public Flood {
     if (fromHeap) heap.pop();
   }
 
-  /// Drops faces that others took from the top of the chart's heap and sets its key.
-  void rank(Index chart) {
+  /// Drops faces that others took from the top of the chart's heap and sets its key, which it
+  /// returns.
+  PrimaryQueue::Ranked rank(Index chart) {
     Chart& c = charts_[chart];
-    while (!c.heap.empty() && !store_.isFree(faceOf(c.heap.top()))) {
+    while (!c.heap.empty() && !topIsFree(chart)) {
       c.heap.pop();
       ++counts_.pops;
     }
-    if (c.heap.empty()) {
-      queue_.setKey(chart, PrimaryQueue::kFinished);
-      return;
-    }
+    if (c.heap.empty()) return queue_.setKey(chart, PrimaryQueue::kFinished);
     const Index face = faceOf(c.heap.top());
     c.nextGain = store_.gain(face, chart);
-    queue_.setKey(chart, lookahead_ ? c.balance + c.nextGain : c.balance);
+    const PrimaryQueue::Ranked ranked =
+        queue_.setKey(chart, lookahead_ ? c.balance + c.nextGain : c.balance);
     // It will be this chart's turn again after about one take of every other chart: time enough
     // for the memory to bring what that take touches.
     store_.prefetchNeighbours(face);
-    const std::size_t candidates = std::min<std::size_t>(c.heap.size(), 9);
-    for (std::size_t i = 1; i < candidates; ++i) store_.prefetchFace(faceOf(c.heap.entry(i)));
+    c.heap.forEachCandidate([&](TimedFace entry) { store_.prefetchFace(faceOf(entry)); });
+    return ranked;
   }
 
   /// Finds the chart that grows next. Its next face is free: a chart whose next face was taken by
@@ -149,8 +164,8 @@ class FloodEngine final : public Flood {
   bool findNext() {
     while (true) {
       next_ = queue_.top();
-      if (queue_.topKey() == PrimaryQueue::kFinished) return false;
-      if (store_.isFree(faceOf(charts_[next_].heap.top()))) return true;
+      if (queue_.finished()) return false;
+      if (topIsFree(next_)) return true;
       rank(next_);
     }
   }

@@ -1,9 +1,11 @@
 #pragma once
 /// A heap of faces by time in eight bytes an entry.
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/base/index.h"
@@ -22,72 +24,87 @@ inline float timeOf(TimedFace entry) {
 }
 inline Index faceOf(TimedFace entry) { return static_cast<Index>(entry); }
 
-/// 8-ary min-heap: shallow, and the children of a node share a cache line or two.
+/// 8-ary min-heap: shallow, and the children of a node are one cache line. Lines are filled up with
+/// a value above all entries, so that no step asks how many children there are.
 class MinHeap {
  public:
-  bool empty() const { return entries_.empty(); }
-  std::size_t size() const { return entries_.size(); }
-  TimedFace top() const { return entries_.front(); }
-  /// Entry i in heap order; 1 to 8 hold the next candidates.
-  TimedFace entry(std::size_t i) const { return entries_[i]; }
-  void clear() { entries_.clear(); }
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+  /// The first entry; of an empty heap, a value above all entries.
+  TimedFace top() const { return lines_[0][kRoot]; }
+  /// Calls `visit(entry)` for each entry that may be the next top.
+  template <class Visit>
+  void forEachCandidate(const Visit& visit) const {
+    if (lines_.size() < 2) return;
+    for (const TimedFace entry : lines_[1]) {
+      if (entry != kNoEntry) visit(entry);
+    }
+  }
+  void clear() {
+    lines_.assign(1, kNoEntries);
+    size_ = 0;
+  }
 
   void push(TimedFace entry) {
-    std::size_t i = entries_.size();
-    entries_.push_back(entry);
-    while (i > 0) {
-      const std::size_t parent = (i - 1) / kArity;
-      if (entries_[parent] <= entry) break;
-      entries_[i] = entries_[parent];
+    std::size_t i = kRoot + size_++;
+    if (i / kArity == lines_.size()) lines_.push_back(kNoEntries);
+    while (i > kRoot) {
+      const std::size_t parent = i / kArity + kRoot - 1;
+      if (at(parent) <= entry) break;
+      at(i) = at(parent);
       i = parent;
     }
-    entries_[i] = entry;
+    at(i) = entry;
   }
 
   void pop() {
-    const TimedFace last = entries_.back();
-    entries_.pop_back();
-    if (!entries_.empty()) siftDown(last);
+    const std::size_t last = kRoot + --size_;
+    const TimedFace entry = at(last);
+    at(last) = kNoEntry;
+    if (size_ > 0) replaceTop(entry);
   }
 
   /// Same as pop() and push(entry), in one pass.
-  void replaceTop(TimedFace entry) { siftDown(entry); }
+  void replaceTop(TimedFace entry) {
+    Line* const lines = lines_.data();
+    const std::size_t count = lines_.size();
+    TimedFace* hole = &lines[0][kRoot];
+    for (std::size_t line = 1; line < count;) {
+      const Smallest smallest = smallestOf(lines[line]);
+      if (smallest.entry >= entry) break;
+      *hole = smallest.entry;
+      hole = &lines[line][smallest.place];
+      line = kArity * line + smallest.place - (kRoot - 1);
+    }
+    *hole = entry;
+  }
 
  private:
   static constexpr std::size_t kArity = 8;
+  static constexpr std::size_t kRoot = kArity - 1;  ///< place of the root: children begin lines
+  static constexpr TimedFace kNoEntry = std::numeric_limits<TimedFace>::max();
+  struct alignas(64) Line : std::array<TimedFace, kArity> {};
+  static constexpr Line kNoEntries{
+      {kNoEntry, kNoEntry, kNoEntry, kNoEntry, kNoEntry, kNoEntry, kNoEntry, kNoEntry}};
 
-  /// Smallest of a full node's children. A tree of comparisons: the processor overlaps them.
-  std::size_t smallestOfEight(std::size_t first) const {
-    const TimedFace* e = entries_.data() + first;
-    const std::size_t a = e[1] < e[0] ? 1 : 0, b = e[3] < e[2] ? 3 : 2;
-    const std::size_t c = e[5] < e[4] ? 5 : 4, d = e[7] < e[6] ? 7 : 6;
-    const std::size_t ab = e[b] < e[a] ? b : a, cd = e[d] < e[c] ? d : c;
-    return first + (e[cd] < e[ab] ? cd : ab);
+  struct Smallest {
+    TimedFace entry;
+    std::size_t place;
+  };
+  static Smallest smaller(const Smallest& a, const Smallest& b) {
+    const bool second = b.entry < a.entry;
+    return {second ? b.entry : a.entry, second ? b.place : a.place};
+  }
+  /// A tree of comparisons: the processor overlaps them.
+  static Smallest smallestOf(const Line& e) {
+    const auto pair = [&](std::size_t i) { return smaller({e[i], i}, {e[i + 1], i + 1}); };
+    return smaller(smaller(pair(0), pair(2)), smaller(pair(4), pair(6)));
   }
 
-  /// Puts `entry` in place of the top.
-  void siftDown(TimedFace entry) {
-    const std::size_t size = entries_.size();
-    std::size_t i = 0;
-    while (true) {
-      const std::size_t first = kArity * i + 1;
-      if (first >= size) break;
-      std::size_t smallest = first;
-      if (first + kArity <= size) {
-        smallest = smallestOfEight(first);
-      } else {
-        for (std::size_t c = first + 1; c < size; ++c) {
-          if (entries_[c] < entries_[smallest]) smallest = c;
-        }
-      }
-      if (entries_[smallest] >= entry) break;
-      entries_[i] = entries_[smallest];
-      i = smallest;
-    }
-    entries_[i] = entry;
-  }
+  TimedFace& at(std::size_t i) { return lines_[i / kArity][i % kArity]; }
 
-  std::vector<TimedFace> entries_;
+  std::vector<Line> lines_ = {kNoEntries};
+  std::size_t size_ = 0;
 };
 
 }  // namespace chartflood

@@ -23,6 +23,7 @@ class TriangleStore {
       for (int k = 0; k < 3; ++k) {
         dry_[f].across[k] = graph.faces[f].neighbour[k] == kNone ? kWall : kFree;
       }
+      sharesSides_ = sharesSides_ || sharesSides(graph.faces[f]);
     }
     words_.resize(dry_.size());
     reset();
@@ -71,18 +72,8 @@ class TriangleStore {
   /// no other face of the chart has offered before ("first incidence").
   template <class Offer>
   void forEachOffer(Index face, Index chart, float time, const Offer& offer) const {
-    const FloodFace& record = graph_.faces[face];
-    const Word& word = words_[face];
-    for (int k = 0; k < 3; ++k) {
-      if (word.across[k] != kFree) continue;
-      const Index neighbour = record.neighbour[k] >> 2;
-      const Word& there = words_[neighbour];
-      const int incidences =
-          (there.across[0] == chart) + (there.across[1] == chart) + (there.across[2] == chart);
-      if (incidences == 1 || onlyMeetsHere(record, k, incidences)) {
-        offer(neighbour, time + record.delay[k]);
-      }
-    }
+    sharesSides_ ? offerAll<true>(face, chart, time, offer)
+                 : offerAll<false>(face, chart, time, offer);
   }
 
   /// True when the face touches another chart or the mesh border.
@@ -101,7 +92,10 @@ class TriangleStore {
     }
   }
 
-  void prefetchFace(Index face) const { __builtin_prefetch(&graph_.faces[face]); }
+  void prefetchFace(Index face) const {
+    __builtin_prefetch(&graph_.faces[face]);
+    __builtin_prefetch(&words_[face], 1);
+  }
   /// Fetches what taking the face will write; its record should be at hand already.
   void prefetchNeighbours(Index face) const {
     for (const Index n : graph_.faces[face].neighbour) {
@@ -110,6 +104,37 @@ class TriangleStore {
   }
 
  private:
+  static bool sharesSides(const FloodFace& face) {
+    const auto across = [&](int k) { return face.neighbour[k] >> 2; };
+    return (face.neighbour[0] != kNone && (across(0) == across(1) || across(0) == across(2))) ||
+           (face.neighbour[1] != kNone && across(1) == across(2));
+  }
+
+  /// \tparam kShares faces may share several edges
+  template <bool kShares, class Offer>
+  void offerAll(Index face, Index chart, float time, const Offer& offer) const {
+    const FloodFace& record = graph_.faces[face];
+    const Word word = words_[face];
+    const Label mark = static_cast<Label>(chart);
+    // Which sides offer is anyone's guess: collected without branches, and one branch on how many.
+    struct {
+      Index face;
+      float arrival;
+    } offers[3];
+    std::size_t count = 0;
+    for (int k = 0; k < 3; ++k) {
+      const bool free = word.across[k] == kFree;
+      const Index neighbour = free ? record.neighbour[k] >> 2 : face;
+      const Word& there = words_[neighbour];
+      const int incidences =
+          (there.across[0] == mark) + (there.across[1] == mark) + (there.across[2] == mark);
+      const bool first = kShares ? onlyMeetsHere(record, k, incidences) : incidences == 1;
+      offers[count] = {neighbour, time + record.delay[k]};
+      count += free & first ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < count; ++i) offer(offers[i].face, offers[i].arrival);
+  }
+
   /// For faces that share several edges: true when all incidences of the neighbour across side k
   /// are with this face, and side k is the first of them.
   static bool onlyMeetsHere(const FloodFace& record, int k, int incidences) {
@@ -133,6 +158,7 @@ class TriangleStore {
 
   const FloodGraph& graph_;
   std::vector<Word> dry_, words_;
+  bool sharesSides_ = false;  ///< two faces share several edges somewhere
   CornerState corners_;
 };
 

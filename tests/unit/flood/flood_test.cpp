@@ -282,16 +282,27 @@ TEST(PrimaryQueue, TiesGoToTheLowestChart) {
   for (const std::size_t count : {1u, 2u, 5u, 20u, 64u, 1000u}) {
     PrimaryQueue queue;
     queue.reset(count);
-    EXPECT_EQ(queue.topKey(), PrimaryQueue::kFinished);
+    EXPECT_TRUE(queue.finished());
     Rng rng(static_cast<unsigned>(count));
     std::vector<double> keys(count, PrimaryQueue::kFinished);
     for (int i = 0; i < 2000; ++i) {
       const Index chart = rng.below(static_cast<unsigned>(count));
-      keys[chart] = rng.below(10);
-      queue.setKey(chart, keys[chart]);
+      keys[chart] = i % 7 == 0 ? PrimaryQueue::kFinished : rng.below(10) - 4.0;
+      auto others = keys;
+      others[chart] = PrimaryQueue::kFinished;
+      const auto first = std::min_element(others.begin(), others.end());
+      const PrimaryQueue::Ranked other = queue.firstBut(chart);
+      ASSERT_EQ(other.canGrow(), std::isfinite(*first));
+      if (other.canGrow()) {
+        ASSERT_EQ(other.chart, static_cast<Index>(first - others.begin()));
+      }
+      const PrimaryQueue::Ranked own = queue.setKey(chart, keys[chart]);
       const auto least = std::min_element(keys.begin(), keys.end());
       ASSERT_EQ(queue.top(), static_cast<Index>(least - keys.begin()));
-      ASSERT_EQ(queue.topKey(), *least);
+      ASSERT_EQ(queue.finished(), !std::isfinite(*least));
+      if (other.canGrow() || own.canGrow()) {
+        ASSERT_EQ(queue.top(), own.before(other) ? own.chart : other.chart);
+      }
     }
   }
 }
