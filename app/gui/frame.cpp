@@ -205,7 +205,7 @@ void Frame::takeChartColors(SceneSource* source) {
   if (!numbers.empty()) state_.view.chartColors = std::move(numbers);
 }
 
-void Frame::draw(SceneSource* source, UvSource* uvSource) {
+void Frame::draw(SceneSource* source, UvSource* uvSource, PreviewSource* previews) {
   probe_.beginFrame();
   memory_.wakeIn = kNever;
   memory_.hoveredSeen = false;
@@ -214,6 +214,9 @@ void Frame::draw(SceneSource* source, UvSource* uvSource) {
   const Ui ui{state_, actions_, theme_, probe_, memory_};
   takeChartColors(source);
   const Layout layout = layOut();
+  const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
+  state_.panels.windowWidth = std::max(1, static_cast<int>(layout.screen.x * pixels.x));
+  state_.panels.windowHeight = std::max(1, static_cast<int>(layout.screen.y * pixels.y));
   drawScene(ui, layout, source);
   drawBars(ui, layout);
   drawLeft(ui, layout);
@@ -223,7 +226,7 @@ void Frame::draw(SceneSource* source, UvSource* uvSource) {
   logWindow(ui);
   aboutWindow(ui);
   preferencesWindow(ui);
-  pictureDialog(ui);
+  pictureDialog(ui, previews);
   browser_.draw(ui);
   unsavedQuestion(ui);
   presetNameQuestion(ui);

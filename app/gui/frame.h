@@ -12,6 +12,8 @@
 
 namespace chartflood {
 
+class PreviewSource;
+
 class Frame {
  public:
   /// The window at scale 1 below which the right pane starts hidden.
@@ -24,7 +26,7 @@ class Frame {
   float scale() const { return theme_.scale; }
 
   /// Submits everything between ImGui::NewFrame and ImGui::Render. The sources may be null.
-  void draw(SceneSource* source, UvSource* uvSource = nullptr);
+  void draw(SceneSource* source, UvSource* uvSource = nullptr, PreviewSource* previews = nullptr);
   /// Runs what a key is bound to, unless a text field or a widget owns the keyboard. Returns
   /// whether it acted.
   bool key(const Chord& chord, bool repeated);

@@ -74,10 +74,12 @@ void ImguiGl::setState(const ImDrawData& data) {
   glBindVertexArray(vertexArray_.id());
 }
 
-void ImguiGl::draw(const ImDrawData& data) {
+void ImguiGl::draw(const ImDrawData& data, bool (*leaveOut)(const ImDrawList&)) {
   if (data.DisplaySize.x <= 0 || data.DisplaySize.y <= 0) return;
   setState(data);
-  for (int i = 0; i < data.CmdListsCount; ++i) drawList(*data.CmdLists[i], data);
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    if (leaveOut == nullptr || !leaveOut(*data.CmdLists[i])) drawList(*data.CmdLists[i], data);
+  }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);
   glBindVertexArray(0);

@@ -19,8 +19,8 @@ class ImguiGl {
   void uploadFonts();
   /// From now on pictures, unlike letters and controls, are shown as seen with this vision.
   void setVision(ColorVision vision) { vision_ = vision; }
-  /// Draws into the framebuffer that is bound.
-  void draw(const ImDrawData& data);
+  /// Draws into the framebuffer that is bound, without the lists that `leaveOut` says yes to.
+  void draw(const ImDrawData& data, bool (*leaveOut)(const ImDrawList&) = nullptr);
 
  private:
   void setState(const ImDrawData& data);

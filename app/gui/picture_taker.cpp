@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <span>
 #include <system_error>
 #include <utility>
 
 #include <glm/gtc/constants.hpp>
 
-#include "app/gui/uv_view.h"
+#include "app/gui/picture_pieces.h"
 #include "app/host/file_name_template.h"
 #include "app/host/standard_paths.h"
 #include "core/base/error.h"
@@ -38,47 +38,15 @@ Image drawTexture(const AppState& state, CompareScene& scene) {
                        {.width = side, .height = side, .supersampling = 2});
 }
 
-/// The settings of a picture of one view: nothing that the mouse points at.
-RenderSettings pictureLook(const PictureRequest& request, RenderSettings settings) {
-  settings.hoverFace = settings.hoverChart = settings.flashFace = kNone;
-  if (request.bare) settings.selectedCharts.clear();
-  applyPicture(request.settings, settings);
-  return settings;
-}
-
-void copyInto(const Image& from, int left, Image& to) {
-  for (int y = 0; y < from.height(); ++y) {
-    std::copy_n(&from.at(0, y), from.width(), &to.at(left, y));
-  }
-}
-
-/// All halves side by side, or the first two left and right of the wipe's line.
-Image drawSides(const AppState& state, CompareScene& scene, const PictureRequest& request,
-                const PictureSize& size, float pixelScale) {
-  const std::vector<ComparePane> panes = state.compare.panes();
-  const bool wipe = state.compare.layout == Compare::Layout::Wipe;
-  const int line = static_cast<int>(std::lround(state.compare.wipe * size.width));
-  const auto count = static_cast<int>(panes.size());
-  Image image(size.width, size.height);
-  for (int i = 0; i < count; ++i) {
-    const ComparePane pane = panes[static_cast<std::size_t>(i)];
-    SceneView& view = scene.view(state, pane);
-    const RenderSettings look = pictureLook(request, view.settings(state, pixelScale));
-    const Camera camera = paneCamera(state, pane);
-    const int left = wipe ? 0 : size.width * i / count;
-    PictureSize part = size;
-    if (!wipe) part.width = size.width * (i + 1) / count - left;
-    const Image drawn = renderImage(view.renderer(), camera, look, part);
-    if (!wipe) {
-      copyInto(drawn, left, image);
-      continue;
-    }
-    for (int y = 0; y < size.height; ++y) {
-      const int from = i == 0 ? 0 : line, to = i == 0 ? line : size.width;
-      std::copy_n(&drawn.at(0, y) + from, to - from, &image.at(0, y) + from);
-    }
-  }
-  return image;
+/// How these pieces were made, so that they can be made again.
+void note(const AppState& state, std::span<const PicturePiece> pieces, int smooth,
+          PictureTaker::Taken& taken) {
+  const PicturePiece& first = pieces.front();
+  taken.record.view = pieces.size() > 1 ? "both" : first.texture ? "uv" : "3d";
+  taken.record.smooth = smooth;
+  taken.shown = state.view;
+  taken.shown->render = first.look;
+  taken.shown->camera = first.camera;
 }
 
 /// True when a session leads to what is shown: it holds no earlier rounds, no borders on their way,
@@ -89,88 +57,79 @@ bool comesBack(const AppState& state) {
   return state.showsFinal() || state.playback.onWorkersRound();
 }
 
-ImageTexts textsOf(const AppState& state, const PictureTaker::Taken& taken, const Image& image) {
-  if (!taken.look) {
-    return {{"Software", "chartflood " CHARTFLOOD_VERSION},
-            {"Description", commandLine(state, false)}};
+/// The same for every moment of the flood that is played.
+bool filmComesBack(const AppState& state) {
+  const bool ofSession = !state.film.ready() && !state.playback.inBorders() &&
+                         !state.view.render.problems && state.view.checkerFile.empty();
+  return ofSession && state.playback.onWorkersRound();
+}
+
+/// What each half of a comparison was made with.
+ImageTexts sideTexts(const AppState& state) {
+  ImageTexts texts;
+  for (const ComparePane& pane : state.compare.panes()) {
+    const Document& document =
+        pane.live() ? state.document() : state.compare.stored[pane.stored].document;
+    texts.emplace_back("Side " + paneName(state.compare, pane),
+                       commandLine(state, document, paneResults(state, pane), false));
   }
-  ViewSettings shown = state.view;
-  shown.render = *taken.look;
+  return texts;
+}
+
+ImageTexts textsOf(const AppState& state, const PictureTaker::Taken& taken, const Image& image) {
+  if (!taken.shown) {
+    ImageTexts texts = {{"Software", "chartflood " CHARTFLOOD_VERSION},
+                        {"Description", commandLine(state, false)}};
+    texts.insert(texts.end(), taken.sides.begin(), taken.sides.end());
+    return texts;
+  }
+  const RenderSettings& look = taken.shown->render;
   PictureRecord record = taken.record;
   record.width = image.width();
   record.height = image.height();
-  record.lineScale = static_cast<double>(taken.look->pixelScale);
-  record.playhead = taken.look->playhead;
+  record.lineScale = static_cast<double>(look.pixelScale);
+  record.playhead = look.playhead;
   const std::filesystem::path file = state.results().mesh->input().file;
   if (state.modelIsFile()) record.model = file.filename().string();
-  return pictureTexts(state.sessionTextLike(shown), record, commandLine(state, false));
+  return pictureTexts(state.sessionTextLike(*taken.shown), record, commandLine(state, false));
 }
 
-/// The view that the settings ask for. Without charts laid flat, or nothing stored, the model.
+/// Pixels of lines and letters in a picture of this size.
+float lineScale(const PictureExtent& extent, float pixelScale) { return pixelScale * extent.scale; }
+
+/// The view that the settings ask for, and how it was made.
 Image drawView(const AppState& state, CompareScene& scene, const PictureRequest& request,
                float pixelScale, PictureTaker::Taken& taken) {
   const PictureSettings& wanted = request.settings;
-  SceneView& live = scene.live();
-  const PictureExtent extent =
-      pictureExtent(wanted, state.panels.viewWidth, state.panels.viewHeight);
-  const PictureSize size{
-      .width = extent.width, .height = extent.height, .supersampling = wanted.smooth};
-  const float scale = pixelScale * extent.scale;
-  if (wanted.view == "ab" && state.compare.showing()) {
-    return drawSides(state, scene, request, size, scale);
-  }
-  live.prepare(state);
-  const RenderSettings look = pictureLook(request, sceneSettings(state, scale));
-  const bool flat = live.renderer().hasUv();
-  RenderSettings texture = pictureLook(request, uvSettings(state, scale));
-  texture.textSize = look.textSize;  // letters are as large in all pictures
-  taken.record.smooth = wanted.smooth;
-  taken.look = look;
-  if (wanted.view == "uv" && flat) {
-    taken.record.view = "uv";
-    taken.look = texture;
-    return renderUvImage(live.renderer(), state.view.uvCamera, texture, state.view.uv, size);
-  }
-  if (wanted.view == "both" && flat) {
-    taken.record.view = "both";
-    return renderBothImage(live.renderer(), state.view.camera, state.view.uvCamera, look,
-                           state.view.uv, size);
-  }
-  return renderImage(live.renderer(), state.view.camera, look, size);
+  const PictureExtent extent = wantedExtent(state, wanted);
+  const auto pieces = picturePieces(state, scene, request, extent.width, extent.height,
+                                    lineScale(extent, pixelScale));
+  const bool sides = wanted.view == "ab" && state.compare.showing();
+  if (!sides) note(state, pieces, wanted.smooth, taken);
+  return drawPieces(pieces, extent.width, extent.height, wanted.smooth);
 }
 
-/// Moment and camera of one picture of a row. The last one of a film shows the charts.
+/// One picture of a row, at its own moment or seen from its own side. The last one of a film shows
+/// the charts.
 Image drawOfRow(const AppState& state, CompareScene& scene, const PictureRequest& request,
-                Camera camera, int number, float pixelScale) {
+                Camera camera, int number, float pixelScale, PictureTaker::Taken& taken) {
   const PictureSettings& wanted = request.settings;
-  SceneView& live = scene.live();
-  live.prepare(state);
-  const PictureExtent extent =
-      pictureExtent(wanted, state.panels.viewWidth, state.panels.viewHeight);
-  const PictureSize size{
-      .width = extent.width, .height = extent.height, .supersampling = wanted.smooth};
-  const float scale = pixelScale * extent.scale;
-  RenderSettings look = pictureLook(request, sceneSettings(state, scale));
-  RenderSettings texture = pictureLook(request, uvSettings(state, scale));
-  if (request.row == PictureRequest::Row::Turntable) {
-    camera.orbit(2 * glm::pi<double>() * number / wanted.frames, 0);
-  } else {
-    look.playhead.reset();
-    if (number + 1 < wanted.frames) {
-      const double share = static_cast<double>(number) / (wanted.frames - 1);
-      look.playhead =
-          static_cast<std::size_t>(share * static_cast<double>(state.playback.recorded()));
-    }
-    texture.playhead = look.playhead;
+  const PictureExtent extent = wantedExtent(state, wanted);
+  auto pieces = picturePieces(state, scene, request, extent.width, extent.height,
+                              lineScale(extent, pixelScale));
+  const bool turns = request.row == PictureRequest::Row::Turntable;
+  if (turns) camera.orbit(2 * glm::pi<double>() * number / wanted.frames, 0);
+  for (PicturePiece& piece : pieces) {
+    piece.camera = camera;
+    if (turns) continue;
+    piece.look.playhead.reset();
+    if (number + 1 == wanted.frames) continue;
+    const double share = static_cast<double>(number) / (wanted.frames - 1);
+    piece.look.playhead =
+        static_cast<std::size_t>(share * static_cast<double>(state.playback.recorded()));
   }
-  const bool flat = live.renderer().hasUv();
-  if (wanted.view == "uv" && flat) {
-    return renderUvImage(live.renderer(), state.view.uvCamera, texture, state.view.uv, size);
-  }
-  if (wanted.view == "both" && flat) {
-    return renderBothImage(live.renderer(), camera, state.view.uvCamera, look, state.view.uv, size);
-  }
-  return renderImage(live.renderer(), camera, look, size);
+  note(state, pieces, wanted.smooth, taken);
+  return drawPieces(pieces, extent.width, extent.height, wanted.smooth);
 }
 
 std::filesystem::path folderOf(const PictureSettings& settings) {
@@ -196,7 +155,8 @@ std::filesystem::path targetOf(const PictureRequest& request, const std::string&
 
 }  // namespace
 
-PictureTaker::PictureTaker(std::function<void()> wake) : wake_(std::move(wake)) {}
+PictureTaker::PictureTaker(std::function<void()> wake, std::function<Image()> window)
+    : wake_(std::move(wake)), window_(std::move(window)) {}
 
 PictureTaker::~PictureTaker() {
   if (writing_.valid()) writing_.wait();
@@ -209,8 +169,13 @@ void PictureTaker::take(const AppState& state, CompareScene& scene, const Pictur
     return;
   }
   Taken taken;
+  if (request.settings.view == "window") {
+    if (window_) write(state, request, window_(), taken);
+    return;
+  }
   Image image = drawView(state, scene, request, pixelScale, taken);
-  if (!comesBack(state)) taken.look.reset();
+  if (!comesBack(state)) taken.shown.reset();
+  if (request.settings.view == "ab") taken.sides = sideTexts(state);
   write(state, request, std::move(image), taken);
 }
 
@@ -291,7 +256,13 @@ void PictureTaker::goOn(AppState& state, CompareScene& scene, float pixelScale) 
       std::max<std::size_t>(3, std::to_string(row_->request.settings.frames).size());
   digits.insert(0, width - std::min(width, digits.size()), '0');
   request.file = row_->folder / (row_->folder.filename().string() + '_' + digits + ".png");
-  write(state, request, drawOfRow(state, scene, request, row_->camera, row_->next, pixelScale), {});
+  Taken taken;
+  Image image = drawOfRow(state, scene, request, row_->camera, row_->next, pixelScale, taken);
+  // The moments of a film belong to the flood that the session knows, the last picture to its end.
+  const bool film = row_->request.row == PictureRequest::Row::FloodFilm;
+  const bool again = film ? filmComesBack(state) : comesBack(state);
+  if (!again) taken.shown.reset();
+  write(state, request, std::move(image), taken);
 }
 
 void PictureTaker::update(AppState& state, CompareScene& scene, float pixelScale) {

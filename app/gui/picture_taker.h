@@ -18,8 +18,9 @@ namespace chartflood {
 
 class PictureTaker {
  public:
-  /// `wake` is called from another thread when a file is written.
-  explicit PictureTaker(std::function<void()> wake);
+  /// `wake` is called from another thread when a file is written. `window` gives the window as it
+  /// is; without it there are no pictures of that.
+  explicit PictureTaker(std::function<void()> wake, std::function<Image()> window = {});
   /// Waits for the last file.
   ~PictureTaker();
   PictureTaker(const PictureTaker&) = delete;
@@ -30,8 +31,9 @@ class PictureTaker {
 
   /// What was drawn, where the same picture can be taken again from it.
   struct Taken {
-    std::optional<RenderSettings> look;
+    std::optional<ViewSettings> shown;
     PictureRecord record;
+    ImageTexts sides;  ///< of a comparison: how each half was made
   };
 
  private:
@@ -60,6 +62,7 @@ class PictureTaker {
   void report(AppState& state);
 
   std::function<void()> wake_;
+  std::function<Image()> window_;
   std::future<Outcome> writing_;
   std::optional<Row> row_;
 };

@@ -16,6 +16,7 @@
 #include "app/gui/compare_scene.h"
 #include "app/gui/imgui_gl.h"
 #include "app/gui/key_names.h"
+#include "app/gui/picture_preview.h"
 #include "app/gui/picture_taker.h"
 #include "app/gui/scene_view.h"
 #include "app/gui/uv_view.h"
@@ -139,7 +140,8 @@ class Window::Parts {
       : state_(state), actions_(actions), watch_(watch),
         window_(openWindow(state.preferences.windowWidth, state.preferences.windowHeight)),
         callbacks_(*this), imgui_(window_.get()), frame_(state, actions, wantedScale()),
-        scene_(wakeWindow), pictures_(wakeWindow) {
+        scene_(wakeWindow),
+        pictures_(wakeWindow, [this] { return windowImage(drawer_, *ImGui::GetDrawData()); }) {
     drawer_.uploadFonts();
     if (!watch_.frameLog.empty()) frameLog_.open(watch_.frameLog);
     state_.session().setWake(wakeWindow);
@@ -196,8 +198,11 @@ class Window::Parts {
   }
 
   /// A slow picture is on its way; the 3D view's goes first.
-  bool drawing() const { return sides_.busy() || uv_.busy(); }
-  bool goOn() { return sides_.busy() ? sides_.goOn() : uv_.goOn(); }
+  bool drawing() const { return sides_.busy() || uv_.busy() || preview_.busy(); }
+  bool goOn() {
+    if (sides_.busy()) return sides_.goOn();
+    return uv_.busy() ? uv_.goOn() : preview_.goOn();
+  }
 
   void touched() { framesLeft_ = kSettlingFrames; }
 
@@ -257,7 +262,7 @@ class Window::Parts {
     }
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    frame_.draw(&sides_, &uv_);
+    frame_.draw(&sides_, &uv_, &preview_);
     drawer_.setVision(state_.view.vision);
     ImGui::Render();
     const double built = now();
@@ -265,6 +270,7 @@ class Window::Parts {
     present();
     times_.present = now() - built;
     deadline_ = now() + frame_.wakeIn();
+    if (state_.panels.picture) preview_.takeWindow(drawer_, *ImGui::GetDrawData());
     pictures_.update(state_, sides_, frame_.scale());
     answerRequests();
     writeProbe();
@@ -335,6 +341,7 @@ class Window::Parts {
   SceneView scene_;
   CompareScene sides_{scene_, wakeWindow};
   UvView uv_{scene_};
+  PicturePreview preview_{sides_, uv_};
   PictureTaker pictures_;
   std::ofstream frameLog_;
   WindowedPlace windowed_;

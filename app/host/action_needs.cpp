@@ -18,6 +18,17 @@ std::string needsSeeds(const AppState& state) {
   return state.presentSeeds().empty() ? "There are no seeds yet; press Play." : "";
 }
 
+std::string pictureRefusal(const AppState& state, const std::string& view) {
+  if (view == "ab" && !state.compare.showing()) {
+    return "Nothing is compared: store the present charts as A first (Compare).";
+  }
+  const bool flat = state.results().charts && state.results().atlas;
+  if ((view == "uv" || view == "both") && !flat) {
+    return "The charts are not laid flat yet; press Unwrap (W) first.";
+  }
+  return "";
+}
+
 Index namedChart(const AppState& state, const Arguments& arguments) {
   const long wanted = arguments.integer("chart", -1);
   const Index chart = wanted < 0 ? state.selectedChart : static_cast<Index>(wanted);

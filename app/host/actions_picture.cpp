@@ -13,18 +13,6 @@ namespace chartflood {
 
 namespace {
 
-/// Why the view asked for cannot be taken; "" when it can.
-std::string viewRefusal(const AppState& state, const std::string& view) {
-  if (view == "ab" && !state.compare.showing()) {
-    return "Nothing is compared: store the present charts as A first (Compare).";
-  }
-  const bool flat = state.results().charts && state.results().atlas;
-  if ((view == "uv" || view == "both") && !flat) {
-    return "The charts are not laid flat yet; press Unwrap (W) first.";
-  }
-  return "";
-}
-
 void takePicture(AppState& state, const Arguments& a) {
   PictureRequest request;
   request.settings = state.preferences.picture;
@@ -34,6 +22,7 @@ void takePicture(AppState& state, const Arguments& a) {
       setPictureValue(request.settings, key, "off");
     }
     request.settings.ground = "transparent";
+    if (request.settings.view == "window") request.settings.view = "3d";  // the model alone
   }
   if (a.has("view")) request.settings.view = a.text("view");
   if (a.has("scale")) {
@@ -44,7 +33,7 @@ void takePicture(AppState& state, const Arguments& a) {
     request.settings.size = scale == 1 ? "window" : "window-" + std::to_string(scale);
   }
   request.file = a.text("file");
-  const std::string reason = viewRefusal(state, request.settings.view);
+  const std::string reason = pictureRefusal(state, request.settings.view);
   if (!reason.empty()) throw Refusal(reason);
   state.requests.pictures.push_back(std::move(request));
 }
@@ -56,10 +45,10 @@ void takeRow(AppState& state, const Arguments& a, PictureRequest::Row row) {
   if (a.has("frames")) setPictureValue(request.settings, "frames", a.text("frames"));
   // A row is of the live model; where it turns there is nothing of the texture to see.
   const std::string& view = request.settings.view;
-  if (view == "ab" || (view == "uv" && row == PictureRequest::Row::Turntable)) {
+  if (view == "ab" || view == "window" || (view == "uv" && row == PictureRequest::Row::Turntable)) {
     request.settings.view = "3d";
   }
-  const std::string reason = viewRefusal(state, view);
+  const std::string reason = pictureRefusal(state, view);
   if (!reason.empty()) throw Refusal(reason);
   if (state.pictureRow.running()) {
     throw Refusal("Pictures are being taken; wait for them or stop them first.");
@@ -110,18 +99,20 @@ void addRows(ActionRegistry& registry) {
 
 void addPictureActions(ActionRegistry& registry) {
   addRows(registry);
-  registry.add(
-      {.id = "screenshot",
-       .title = "Picture",
-       .help = "Saves a PNG picture as set in the dialog of pictures (Shift+F12); bare: "
-               "transparent, without helpers.",
-       .arguments =
-           {{"file", ArgumentType::Text, "left out: a new name", false},
-            {"scale", ArgumentType::Integer, "1, 2 or 4 times the view", false},
-            {"view", ArgumentType::Choice, "left out: as set", false, {"3d", "uv", "both", "ab"}},
-            {"bare", ArgumentType::Switch, "without helpers", false}},
-       .refusal = needsMesh,
-       .run = takePicture});
+  registry.add({.id = "screenshot",
+                .title = "Picture",
+                .help = "Saves a PNG picture as set in the dialog of pictures (Shift+F12); bare: "
+                        "transparent, without helpers.",
+                .arguments = {{"file", ArgumentType::Text, "left out: a new name", false},
+                              {"scale", ArgumentType::Integer, "1, 2 or 4 times the view", false},
+                              {"view",
+                               ArgumentType::Choice,
+                               "left out: as set",
+                               false,
+                               {"3d", "uv", "both", "ab", "window"}},
+                              {"bare", ArgumentType::Switch, "without helpers", false}},
+                .refusal = needsMesh,
+                .run = takePicture});
   registry.bind("F12", "screenshot");
   registry.bind("Ctrl+F12", "screenshot bare=on");
   addSwitch(

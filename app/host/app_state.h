@@ -58,8 +58,9 @@ struct PanelState {
   Index shownFace = kNone;   ///< of the problem that was shown last, where it is a single face
   bool barsByValue = false;  ///< bars of charts stand by size, not by number
   int viewWidth = 1, viewHeight = 1;  ///< of all views of the model together, pixels
-  bool picture = false;               ///< the dialog of pictures is open
-  bool legend = false;                ///< the editor of the colours is open
+  int windowWidth = 1, windowHeight = 1;
+  bool picture = false;  ///< the dialog of pictures is open
+  bool legend = false;   ///< the editor of the colours is open
   bool keys = false, log = false, about = false;
   bool preferences = false;    ///< their window is open
   bool namesPreset = false;    ///< the question for a preset's name is asked
@@ -286,5 +287,8 @@ class AppState {
 /// A command line that gives the present parameters and model: what differs from the defaults.
 /// Without its folder a file is named alone.
 std::string commandLine(const AppState& state, bool withFolder = true);
+/// The same of another document, whose charts are `results`, on the present model.
+std::string commandLine(const AppState& state, const Document& document, const Results& results,
+                        bool withFolder = true);
 
 }  // namespace chartflood

@@ -162,17 +162,21 @@ void AppState::takeHints() {
 }
 
 std::string commandLine(const AppState& state, bool withFolder) {
+  return commandLine(state, state.document(), state.results(), withFolder);
+}
+
+std::string commandLine(const AppState& state, const Document& document, const Results& results,
+                        bool withFolder) {
   std::string text = "chartflood";
   for (const ParameterInfo& info : parameterTable()) {
-    const ParameterValue value = parameterValue(state.document().parameters, info);
+    const ParameterValue value = parameterValue(document.parameters, info);
     if (value == parameterDefault(info)) continue;
     text += std::string(" --") + info.id + '=' + parameterText(value);
   }
-  if (!state.document().seeds.empty()) {
+  if (!document.seeds.empty()) {
     std::string faces;
-    for (const PlacedSeed& seed : state.document().seeds) {
-      faces +=
-          (faces.empty() ? "" : ",") + std::to_string(state.results().mesh->inputFace(seed.face));
+    for (const PlacedSeed& seed : document.seeds) {
+      faces += (faces.empty() ? "" : ",") + std::to_string(results.mesh->inputFace(seed.face));
     }
     text += " --seeds=" + faces;
   }

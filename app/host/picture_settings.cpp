@@ -85,7 +85,7 @@ std::vector<Row> makeRows() {
   std::vector<std::string> sizes;
   for (const PictureSizeChoice& each : kSizes) sizes.push_back(each.id);
   using S = PictureSettings;
-  return {choiceRow("view", &S::view, {"3d", "uv", "both", "ab"}),
+  return {choiceRow("view", &S::view, {"3d", "uv", "both", "ab", "window"}),
           choiceRow("size", &S::size, sizes),
           switchRow("lock-ratio", &S::lockRatio),
           sideRow("width", &S::width, &S::height),

@@ -12,7 +12,7 @@
 namespace chartflood {
 
 struct PictureSettings {
-  std::string view = "3d";          ///< 3d, uv, both, ab
+  std::string view = "3d";          ///< 3d, uv, both, ab, window
   std::string size = "window";      ///< an id of pictureSizes()
   int width = 1920, height = 1080;  ///< of the size "own", pixels
   bool lockRatio = true;            ///< a change of one side of "own" takes the other along

@@ -91,8 +91,7 @@ TEST_F(CompareTest, FiguresSayWhatDiffers) {
   EXPECT_EQ(a.method, "t-flooding");
   EXPECT_THAT(a.differing, ElementsAre(HasSubstr("p 1")));
   EXPECT_THAT(live.differing, ElementsAre(HasSubstr("p 3")));
-  EXPECT_THAT(a.figures,
-              ElementsAre("K 20", HasSubstr("spread"), HasSubstr("seams")));
+  EXPECT_THAT(a.figures, ElementsAre("K 20", HasSubstr("spread"), HasSubstr("seams")));
   EXPECT_TRUE(a.problems.empty());
 }
 

@@ -35,7 +35,7 @@ void HeadlessFrame::frames(int count) {
   for (int i = 0; i < count; ++i) {
     state_.update(kFrameSeconds);
     ImGui::NewFrame();
-    frame_.draw(sceneSource, uvSource);
+    frame_.draw(sceneSource, uvSource, previewSource);
     ImGui::Render();
   }
 }

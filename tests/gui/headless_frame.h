@@ -53,6 +53,7 @@ class HeadlessFrame {
   /// Where the pictures come from; null: none are drawn.
   SceneSource* sceneSource = nullptr;
   UvSource* uvSource = nullptr;
+  PreviewSource* previewSource = nullptr;
 
  private:
   struct Context {

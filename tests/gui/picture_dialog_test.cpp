@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/gui/picture_preview.h"
 #include "app/host/picture_settings.h"
 #include "core/base/error.h"
 #include "tests/gui/headless_frame.h"
@@ -91,10 +92,96 @@ TEST(PictureDialog, NothingIsCutOff) {
     window.state().preferences.picture.size = "own";
     window.frames(4);
     for (const char* label : {"picture-set view ab", "picture/lock-ratio", "picture/numbers",
-                              "picture-set ground transparent", "picture/folder", "screenshot"}) {
+                              "picture-set view window", "picture-set ground transparent",
+                              "picture/folder", "picture/preview", "copy-command", "screenshot"}) {
       EXPECT_TRUE(window.item(label).whole()) << label << " at " << size.x;
     }
   }
+}
+
+/// Notes what it is asked for.
+class NotedPreview : public PreviewSource {
+ public:
+  std::vector<PreviewPart> preview(const AppState&, const PictureExtent& extent, int width,
+                                   int height, float) override {
+    asked.push_back({extent.width, extent.height, width, height});
+    return {{}};
+  }
+  bool upToDate() const override { return fresh; }
+
+  struct Asked {
+    int width, height, shownWidth, shownHeight;
+  };
+  std::vector<Asked> asked;
+  bool fresh = true;
+};
+
+class PicturePreviewBox : public ::testing::Test {
+ protected:
+  PicturePreviewBox() {
+    window.previewSource = &previews;
+    window.openFlooded("sphere", 200);
+  }
+  void run(const char* line) {
+    EXPECT_TRUE(window.state().perform(window.actions(), line)) << line;
+    window.frames(3);
+  }
+  NotedPreview previews;
+  HeadlessFrame window;
+};
+
+TEST_F(PicturePreviewBox, IsDrawnSmallInTheShapeOfThePicture) {
+  EXPECT_TRUE(previews.asked.empty()) << "nothing while the dialog is closed";
+  run("picture-dialog on");
+  run("picture-set size 4k");
+  ASSERT_FALSE(previews.asked.empty());
+  EXPECT_EQ(previews.asked.back().width, 3840);
+  EXPECT_EQ(previews.asked.back().shownWidth, 240);
+  EXPECT_EQ(previews.asked.back().shownHeight, 135);
+  run("picture-set size square");
+  EXPECT_EQ(previews.asked.back().shownWidth, 135);
+  EXPECT_EQ(previews.asked.back().shownHeight, 135);
+  const ProbedItem place = window.item("picture/preview"), shown = window.item("picture/shown");
+  EXPECT_NEAR(place.center().x, shown.center().x, 1);
+}
+
+TEST_F(PicturePreviewBox, OfTheWindowHasItsShape) {
+  run("picture-dialog on");
+  window.click("picture-set view window");
+  window.frames(2);
+  EXPECT_EQ(window.state().preferences.picture.view, "window");
+  EXPECT_EQ(previews.asked.back().width, 1280);
+  EXPECT_EQ(previews.asked.back().height, 800);
+  // Nothing else can be chosen of it.
+  window.click("picture-set ground white");
+  window.click("picture/seeds");
+  EXPECT_EQ(window.state().preferences.picture.ground, "theme");
+  EXPECT_TRUE(window.state().preferences.picture.seeds);
+  EXPECT_TRUE(window.state().perform(window.actions(), "screenshot"));
+  EXPECT_EQ(window.state().requests.pictures.back().settings.view, "window");
+  // Without helpers there is no window, and it does not turn.
+  window.key("Ctrl+F12");
+  EXPECT_EQ(window.state().requests.pictures.back().settings.view, "3d");
+  run("turntable 3");
+  EXPECT_EQ(window.state().requests.pictures.back().settings.view, "3d");
+}
+
+TEST_F(PicturePreviewBox, ComesSoonAgainUntilItIsUpToDate) {
+  run("picture-dialog on");
+  EXPECT_GT(window.frame().wakeIn(), 0.1);
+  previews.fresh = false;
+  window.frames(1);
+  EXPECT_LE(window.frame().wakeIn(), 0.05);
+}
+
+TEST_F(PicturePreviewBox, SaysWhyThereCanBeNoPicture) {
+  run("picture-dialog on");
+  previews.asked.clear();
+  run("picture-set view ab");
+  EXPECT_TRUE(previews.asked.empty());
+  EXPECT_FALSE(window.has("picture/shown"));
+  run("store A");
+  EXPECT_FALSE(previews.asked.empty());
 }
 
 TEST(PictureDialog, WhatCannotBeTakenIsRefusedWithASentence) {

@@ -1,7 +1,9 @@
 // A picture that the window saved, and the one that the command line makes of it: the same pixels.
 
+#include <chrono>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -136,6 +138,54 @@ TEST_F(SamePicture, OfAChartAlone) {
   run("select-chart 3");
   run("isolate on");
   expectTheSame("view=3d");
+}
+
+TEST_F(SamePicture, OfEveryPictureOfARow) {
+  openModel();
+  run("set charts 6");
+  state.preferences.picture.folder = folder.path().string();
+  PictureTaker taker([] {});
+  for (const char* row : {"turntable 3", "flood-film 3"}) {
+    ASSERT_TRUE(state.perform(actions, row));
+    for (int i = 0; i < 500 && (state.pictureRow.running() || i == 0); ++i) {
+      taker.update(state, scene, 1);
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  }
+  for (const char* name : {"model_turntable", "model_flood"}) {
+    for (const char* number : {"1", "2", "3"}) {
+      const std::filesystem::path file =
+          folder.path() / name / (std::string(name) + "_00" + number + ".png");
+      const std::string again = (folder.path() / "again.png").string();
+      call(
+          {(folder.path() / "model.obj").string(), "--like=" + file.string(), "--output=" + again});
+      EXPECT_EQ(compareImages(readPng(file), readPng(again)).differentPixels, 0u) << file;
+    }
+  }
+}
+
+TEST_F(SamePicture, OfAComparisonSaysHowEachSideWasMade) {
+  openModel();
+  run("set charts 6");
+  run("store A");
+  run("set charts 9");
+  const std::string file = (folder.path() / "1.png").string();
+  run("screenshot view=ab file=" + file);
+  {
+    PictureTaker taker([] {});
+    taker.update(state, scene, 1);
+  }
+  ImageTexts texts;
+  readPng(file, &texts);
+  const auto text = [&](const std::string& key) {
+    for (const auto& [name, value] : texts) {
+      if (name == key) return value;
+    }
+    return std::string();
+  };
+  EXPECT_NE(text("Side A").find("--charts=6 "), std::string::npos) << text("Side A");
+  EXPECT_NE(text("Side Live").find("--charts=9 "), std::string::npos) << text("Side Live");
+  EXPECT_EQ(text("Side A").find(folder.path().string()), std::string::npos);
 }
 
 TEST_F(SamePicture, OfASample) {

@@ -5,6 +5,8 @@
 
 namespace chartflood {
 
+class PreviewSource;
+
 /// Menus over the whole width. Call inside a window with a menu bar.
 void menuBar(const Ui& ui);
 /// Transport, speed, colour mode, picture. Fills the present window.
@@ -42,8 +44,10 @@ void preferencesWindow(const Ui& ui);
 void logWindow(const Ui& ui);
 /// Keys and what they do, made from the registry, in a window of its own.
 void keysWindow(const Ui& ui);
-/// What pictures are like, and the button that takes one.
-void pictureDialog(const Ui& ui);
+/// What pictures are like, what one would look like, and the button that takes it. Without a source
+/// there is no preview.
+void pictureDialog(const Ui& ui, PreviewSource* previews);
+inline constexpr const char* kPictureDialog = "Picture";  ///< name of its window
 /// Name, version, paper, fonts.
 void aboutWindow(const Ui& ui);
 /// Opens the editor of the colours from the bar in the picture, at the bottom right of the area.
