@@ -44,15 +44,19 @@ void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* no
   seedMarks_.clear();
   if (!mesh_) return;
   bounds_ = boundingSphere(mesh_->positions());
-  surface_.emplace(*mesh_, normals);
+  surface_.emplace(*mesh_, surfaceVertices(*mesh_, normals));
   charts_.emplace(mesh_);
   flood_.emplace(mesh_);
 }
 
 void Renderer::setNormals(const CornerNormals* normals) {
+  if (mesh_) setVertices(surfaceVertices(*mesh_, normals));
+}
+
+void Renderer::setVertices(std::shared_ptr<const SurfaceVertices> vertices) {
   unfinished_.reset();
   if (!mesh_) return;
-  surface_.emplace(*mesh_, normals);
+  surface_->setVertices(std::move(vertices));
   if (uv_) surface_->setCornerTexture(uv_->layout().corners);
 }
 

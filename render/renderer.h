@@ -69,6 +69,8 @@ class Renderer {
   void setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* normals);
   /// Normals after a change of the crease angle.
   void setNormals(const CornerNormals* normals);
+  /// The same with the vertices of this mesh made before, on any thread.
+  void setVertices(std::shared_ptr<const SurfaceVertices> vertices);
   void setGaussArea(const GaussArea* gaussArea);
   /// The same with the values worked out before, on any thread.
   void setGaussValues(const GaussValues& values);

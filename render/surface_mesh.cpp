@@ -1,9 +1,8 @@
 #include "render/surface_mesh.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -11,15 +10,6 @@
 namespace chartflood {
 
 namespace {
-
-std::uint32_t packComponent(float value) {
-  const long scaled = std::lround(std::clamp(value, -1.0f, 1.0f) * 511.0f);
-  return static_cast<std::uint32_t>(scaled) & 0x3FFu;
-}
-
-std::uint32_t packNormal(const glm::vec3& n) {
-  return packComponent(n.x) | packComponent(n.y) << 10 | packComponent(n.z) << 20;
-}
 
 /// Bit i of triangle t: its side i lies inside a polygon.
 std::vector<std::uint8_t> innerSides(const Mesh& mesh) {
@@ -51,52 +41,34 @@ void viewAsTexture(gl::Texture& texture, GLenum format, const gl::Buffer& buffer
 
 }  // namespace
 
-/// Gives each corner the entry of its vertex with the same normal, made when there is none yet.
-SurfaceMesh::VertexList SurfaceMesh::shareCorners(const Mesh& mesh, const CornerNormals* normals) {
-  VertexList list;
-  list.vertices.reserve(mesh.vertexCount() + mesh.vertexCount() / 8);
-  list.indices.reserve(3 * mesh.triangleCount());
-  std::vector<Index> newest(mesh.vertexCount(), kNone);  // entry of a vertex made last
-  std::vector<Index> older;                              // of an entry: the one made before
-  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index vertex = mesh.triangles()[t][i];
-      const std::uint32_t normal = normals ? packNormal(normals->normal[3 * t + i]) : 0;
-      Index entry = newest[vertex];
-      while (entry != kNone && list.vertices[entry].normal != normal) entry = older[entry];
-      if (entry == kNone) {
-        entry = static_cast<Index>(list.vertices.size());
-        const glm::vec3 place(mesh.positions()[vertex]);
-        list.vertices.push_back({{place.x, place.y, place.z}, normal});
-        older.push_back(newest[vertex]);
-        newest[vertex] = entry;
-      }
-      list.indices.push_back(entry);
-    }
-  }
-  return list;
-}
-
-SurfaceMesh::SurfaceMesh(const Mesh& mesh, const CornerNormals* normals)
-    : triangleCount_(mesh.triangleCount()), hasNormals_(normals != nullptr),
+SurfaceMesh::SurfaceMesh(const Mesh& mesh, std::shared_ptr<const SurfaceVertices> vertices)
+    : triangleCount_(mesh.triangleCount()), list_(std::move(vertices)),
       vertexArray_(gl::VertexArray::create()) {
   // Pieces may face different ways, so only a single one tells which side is outside.
   culled_ = mesh.closed() && mesh.componentCount() == 1;
   insideOut_ = culled_ && signedVolume(mesh) < 0;
-  list_ = shareCorners(mesh, normals);
-  upload(list_);
+  upload(*list_);
   innerSides_.upload<std::uint8_t>(GL_R8UI, innerSides(mesh));
 }
 
-void SurfaceMesh::upload(const VertexList& list) {
+void SurfaceMesh::setVertices(std::shared_ptr<const SurfaceVertices> vertices) {
+  list_ = std::move(vertices);
+  upload(*list_);
   glBindVertexArray(vertexArray_.id());
-  gl::uploadBuffer<GpuVertex>(vertices_, GL_ARRAY_BUFFER, list.vertices);
+  glDisableVertexAttribArray(2);
+  glBindVertexArray(0);
+  texturePlaces_.reset();
+}
+
+void SurfaceMesh::upload(const SurfaceVertices& list) {
+  glBindVertexArray(vertexArray_.id());
+  gl::uploadBuffer<SurfaceVertices::Vertex>(vertices_, GL_ARRAY_BUFFER, list.vertices);
   gl::uploadBuffer<Index>(indices_, GL_ELEMENT_ARRAY_BUFFER, list.indices);
   glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(GpuVertex), nullptr);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SurfaceVertices::Vertex), nullptr);
   glEnableVertexAttribArray(1);
-  glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(GpuVertex),
-                        reinterpret_cast<const void*>(offsetof(GpuVertex, normal)));
+  glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(SurfaceVertices::Vertex),
+                        reinterpret_cast<const void*>(offsetof(SurfaceVertices::Vertex, normal)));
   glBindVertexArray(0);
   viewAsTexture(vertexTexture_, GL_RGBA32F, vertices_);
   viewAsTexture(indexTexture_, GL_R32UI, indices_);
@@ -104,24 +76,20 @@ void SurfaceMesh::upload(const VertexList& list) {
 
 void SurfaceMesh::setCornerTexture(std::span<const glm::vec3> corners) {
   if (corners.empty()) {
-    if (texturePlaces_) upload(list_);
-    glBindVertexArray(vertexArray_.id());
-    glDisableVertexAttribArray(2);
-    glBindVertexArray(0);
-    texturePlaces_.reset();
+    if (texturePlaces_) setVertices(list_);
     return;
   }
-  VertexList parted;
+  SurfaceVertices parted;
   std::vector<glm::vec3> places;
-  std::vector<Index> newest(list_.vertices.size(), kNone), older;  // as in shareCorners()
-  parted.indices.reserve(list_.indices.size());
+  std::vector<Index> newest(list_->vertices.size(), kNone), older;  // as in surfaceVertices()
+  parted.indices.reserve(list_->indices.size());
   for (std::size_t c = 0; c < corners.size(); ++c) {
-    const Index whole = list_.indices[c];
+    const Index whole = list_->indices[c];
     Index entry = newest[whole];
     while (entry != kNone && places[entry] != corners[c]) entry = older[entry];
     if (entry == kNone) {
       entry = static_cast<Index>(places.size());
-      parted.vertices.push_back(list_.vertices[whole]);
+      parted.vertices.push_back(list_->vertices[whole]);
       places.push_back(corners[c]);
       older.push_back(newest[whole]);
       newest[whole] = entry;

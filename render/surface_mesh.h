@@ -2,17 +2,15 @@
 /// The mesh as the graphics card sees it. Uploaded once; changes of colour mode or playhead touch
 /// nothing here.
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
-#include "core/model/corner_normals.h"
 #include <glm/vec3.hpp>
 
 #include "core/model/mesh.h"
 #include "render/gl/objects.h"
+#include "render/surface_vertices.h"
 
 namespace chartflood {
 
@@ -20,15 +18,18 @@ namespace chartflood {
 /// Corners of one vertex share an entry where their normals and texture places agree.
 class SurfaceMesh {
  public:
-  /// Uploads places and normals. Without `normals` shading uses the plane of each triangle.
-  SurfaceMesh(const Mesh& mesh, const CornerNormals* normals);
+  /// Uploads places and normals of the mesh's vertices.
+  SurfaceMesh(const Mesh& mesh, std::shared_ptr<const SurfaceVertices> vertices);
+
+  /// The same mesh with other normals. Texture places are gone.
+  void setVertices(std::shared_ptr<const SurfaceVertices> vertices);
 
   /// Gives each corner (three a triangle) its place in the texture and the scale of its island, as
   /// in UvLayout; empty takes them away. Parts the vertices along the islands' borders anew.
   void setCornerTexture(std::span<const glm::vec3> corners);
 
   std::size_t triangleCount() const { return triangleCount_; }
-  bool hasNormals() const { return hasNormals_; }
+  bool hasNormals() const { return list_->hasNormals; }
   /// The triangles of a closed surface in one piece face inwards.
   bool insideOut() const { return insideOut_; }
   /// Insides of a closed surface in one piece need not be drawn.
@@ -42,21 +43,11 @@ class SurfaceMesh {
   void bindArrays(GLuint vertexUnit, GLuint indexUnit, GLuint innerSideUnit) const;
 
  private:
-  /// One drawn vertex; 16 bytes, so that shaders can read the array as vec4 too.
-  struct GpuVertex {
-    std::array<float, 3> place;
-    std::uint32_t normal;  ///< GL_INT_2_10_10_10_REV
-  };
-  struct VertexList {
-    std::vector<GpuVertex> vertices;
-    std::vector<Index> indices;
-  };
-  static VertexList shareCorners(const Mesh& mesh, const CornerNormals* normals);
-  void upload(const VertexList& list);
+  void upload(const SurfaceVertices& list);
 
   std::size_t triangleCount_ = 0;
-  bool hasNormals_ = false, culled_ = false, insideOut_ = false;
-  VertexList list_;  ///< without texture places
+  bool culled_ = false, insideOut_ = false;
+  std::shared_ptr<const SurfaceVertices> list_;  ///< without texture places
   gl::VertexArray vertexArray_;
   gl::Buffer vertices_, indices_, texturePlaces_;
   gl::Texture vertexTexture_, indexTexture_;

@@ -51,7 +51,7 @@ void SceneView::takeDerived(const AppState& state, const Results& results) {
   const auto derived = insight.surface(results);
   if (!derived || derived == derived_) return;
   derived_ = derived;
-  renderer_.setNormals(&derived->normals);
+  renderer_.setVertices(derived->vertices);
   renderer_.setGaussValues(derived->gaussValues);
   const int samples[] = {1, kSmoothSamples};
   if (warmedFor_ != mesh_) renderer_.warmUp(RenderSettings{}, samples);
@@ -121,11 +121,11 @@ void SceneView::takeFlood(std::shared_ptr<const FloodRecord> record) {
 
 /// Labels of a moment of the refinement, or the finished ones again.
 void SceneView::takeBorders(const AppState& state) {
-  std::optional<std::size_t> step;
-  if (state.playback.inBorders() && segmentation_) step = state.playback.borderStep();
-  if (step == borderStep_) return;
-  borderStep_ = step;
-  renderer_.setLabels(step ? state.shownLabels() : std::span<const Index>(segmentation_->label));
+  std::shared_ptr<const ChartStats> moment;
+  if (state.playback.inBorders() && segmentation_) moment = state.shownStats();
+  if (moment == borders_) return;
+  borders_ = moment;
+  renderer_.setLabels(moment ? state.shownLabels() : std::span<const Index>(segmentation_->label));
   ++content_;
 }
 
@@ -213,7 +213,7 @@ void SceneView::takeIn(const AppState& state) {
     segmentation_ = results.segmentation;
     renderer_.setSegmentation(segmentation_.get());
     stats_.reset();
-    borderStep_.reset();
+    borders_.reset();
     ++content_;
   }
   if (pane_.live()) {

@@ -117,7 +117,8 @@ class SceneView : public SceneSource {
 
   std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const Segmentation> segmentation_;
-  std::optional<std::size_t> borderStep_;    ///< of the refinement, whose labels are shown
+  /// Of the moment of the refinement whose labels are shown; null: the finished ones.
+  std::shared_ptr<const ChartStats> borders_;
   std::shared_ptr<const ChartStats> stats_;  ///< whose areas colour the balance
   std::shared_ptr<const FloodRecord> record_;
   std::size_t recorded_ = 0;  ///< entries that the record had at the last look

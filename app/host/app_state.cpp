@@ -20,7 +20,7 @@ constexpr double kLongestPlayedSeconds = 0.1;
 AppState::AppState(Session::Worker worker)
     : methodRuns(worker), session_(worker),
       insight_(std::make_unique<Insight>(worker == Session::Worker::Inline)),
-      results_(session_.results()) {
+      results_(session_.results()), moment_(insight_->place()) {
   session_.setAutoUnwrap(true);
 }
 

@@ -49,7 +49,9 @@ std::shared_ptr<const SurfaceDerived> Insight::surface(const Results& results) {
   if (results.gaussArea->triangle.size() != results.mesh->triangleCount()) return nullptr;
   auto value =
       surface_.get(results.gaussArea, place_, [mesh = results.mesh, gaussArea = results.gaussArea] {
-        return SurfaceDerived{mesh, gaussArea, computeCornerNormals(*mesh, gaussArea->sharpAngle),
+        CornerNormals normals = computeCornerNormals(*mesh, gaussArea->sharpAngle);
+        auto vertices = surfaceVertices(*mesh, &normals);
+        return SurfaceDerived{mesh, gaussArea, std::move(normals), std::move(vertices),
                               gaussValues(*mesh, *gaussArea)};
       });
   return value && value->mesh == results.mesh ? value : nullptr;

@@ -34,6 +34,8 @@ class Insight {
   explicit Insight(bool immediate);
   /// One for other results, worked out in the same place and waking whom this one wakes.
   std::unique_ptr<Insight> beside() const;
+  /// Where values are worked out; whom it wakes is always whom this one wakes.
+  const WorkPlace& place() const { return place_; }
   /// Called from another thread when something new can be shown.
   /// When this returns the one before is not running and never will again.
   void setWake(std::function<void()> wake);

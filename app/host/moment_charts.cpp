@@ -1,6 +1,8 @@
 #include "app/host/moment_charts.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/segment/balance.h"
@@ -8,6 +10,9 @@
 namespace chartflood {
 
 namespace {
+
+/// Faces taken or given back within one call: some milliseconds.
+constexpr std::size_t kStepsAtOnce = 100'000;
 
 ChartStats statsOf(const FloodCursor& cursor, std::size_t charts) {
   ChartStats stats;
@@ -28,13 +33,17 @@ ChartStats statsOf(const FloodCursor& cursor, std::size_t charts) {
   return stats;
 }
 
+bool standsOn(const FloodCursor* cursor, const Mesh& mesh, const GaussArea& gauss) {
+  return cursor != nullptr && &cursor->measures()->mesh() == &mesh &&
+         cursor->measures()->gaussArea().get() == &gauss;
+}
+
 }  // namespace
 
+MomentCharts::MomentCharts(WorkPlace place) : place_(std::move(place)) {}
+
 void MomentCharts::clear() {
-  mesh_.reset();
-  gauss_.reset();
-  record_.reset();
-  seams_.reset();
+  shown_ = {};
   cursor_.reset();
   stats_.reset();
 }
@@ -48,46 +57,80 @@ bool MomentCharts::closedOff(Index chart) const {
          cursor_->openSides(chart) == 0 && cursor_->step() < cursor_->labels().size();
 }
 
-/// Makes a cursor for another mesh; false when there is nothing to stand on.
-bool MomentCharts::prepare(const Results& results) {
-  if (!results.mesh || !results.gaussArea) {
-    clear();
-    return false;
-  }
-  if (results.mesh != mesh_ || results.gaussArea != gauss_ || !cursor_) {
-    mesh_ = results.mesh;
-    gauss_ = results.gaussArea;
-    cursor_ = std::make_unique<FloodCursor>(mesh_, gauss_);
-    stats_.reset();
-  }
-  return true;
-}
-
-void MomentCharts::count(std::size_t charts) {
-  stats_ = std::make_shared<const ChartStats>(statsOf(*cursor_, charts));
-}
-
 void MomentCharts::show(const Results& results, const std::shared_ptr<const FloodRecord>& record,
                         std::size_t step) {
-  if (!prepare(results)) return;
-  if (stats_ && !seams_ && record == record_ && step == step_) return;
-  record_ = record;
-  seams_.reset();
-  step_ = step;
-  cursor_->go(record, step);
-  count(std::max(cursor_->chartCount(), record ? results.seeds.size() : 0));
+  go({results.mesh, results.gaussArea, record, nullptr, step, record ? results.seeds.size() : 0});
 }
 
 void MomentCharts::showBorders(const Results& results, std::size_t step) {
-  if (!results.record || !results.seamRecord || !prepare(results)) return;
-  const bool same = results.seamRecord == seams_ && results.record == record_;
-  if (stats_ && same && step == step_) return;
-  record_ = results.record;
-  seams_ = results.seamRecord;
-  step_ = step;
-  if (!same) cursor_->go(record_, record_->size());
-  cursor_->refine(seams_, step);
-  count(cursor_->chartCount());
+  if (!results.record || !results.seamRecord) return;
+  go({results.mesh, results.gaussArea, results.record, results.seamRecord, step, 0});
+}
+
+void MomentCharts::go(const Moment& wanted) {
+  if (!wanted.mesh || !wanted.gauss) return clear();
+  take(wanted.mesh);
+  if (stats_ && shown_ == wanted) return;
+  if (place_.immediate || isNear(wanted)) {
+    Arrival here = arrive(wanted, std::move(cursor_));
+    cursor_ = std::move(here.cursor);
+    stats_ = std::move(here.stats);
+    shown_ = wanted;
+    return;
+  }
+  if (errand_.running()) return;
+  const bool here = standsOn(cursor_.get(), *wanted.mesh, *wanted.gauss);
+  if (here && !standsOn(spare_.get(), *wanted.mesh, *wanted.gauss)) {
+    spare_ = std::make_unique<FloodCursor>(cursor_->measures());
+  }
+  errand_.begin(place_.wake, [wanted, cursor = std::move(spare_)]() mutable {
+    return arrive(wanted, std::move(cursor));
+  });
+}
+
+/// True when the way from the moment shown is short enough for a pass of the window.
+bool MomentCharts::isNear(const Moment& wanted) const {
+  const std::size_t faces = wanted.mesh->faceCount();
+  if (faces <= kStepsAtOnce) return true;
+  if (!standsOn(cursor_.get(), *wanted.mesh, *wanted.gauss)) return false;
+  if (cursor_->record() != wanted.record) return false;
+  const auto apart = [](std::size_t a, std::size_t b) { return a < b ? b - a : a - b; };
+  if (!wanted.seams && !shown_.seams) return apart(wanted.step, shown_.step) <= kStepsAtOnce;
+  if (wanted.seams != shown_.seams) return false;
+  const auto& steps = wanted.seams->steps;
+  const auto end = [&](std::size_t step) {
+    return step == 0 ? 0 : steps[std::min(step, steps.size()) - 1].end;
+  };
+  return apart(end(wanted.step), end(shown_.step)) <= kStepsAtOnce;
+}
+
+/// Takes over what has arrived, unless it is another mesh by now.
+void MomentCharts::take(const std::shared_ptr<const Mesh>& mesh) {
+  std::optional<Arrival> there = errand_.take();
+  if (!there || there->moment.mesh != mesh) return;
+  spare_ = std::move(cursor_);
+  cursor_ = std::move(there->cursor);
+  stats_ = std::move(there->stats);
+  shown_ = std::move(there->moment);
+}
+
+MomentCharts::Arrival MomentCharts::arrive(const Moment& wanted,
+                                           std::unique_ptr<FloodCursor> cursor) {
+  if (!standsOn(cursor.get(), *wanted.mesh, *wanted.gauss)) {
+    cursor = std::make_unique<FloodCursor>(
+        std::make_shared<const FloodMeasures>(wanted.mesh, wanted.gauss));
+  }
+  if (!wanted.seams) {
+    cursor->go(wanted.record, wanted.step);
+  } else {
+    if (cursor->record() != wanted.record || cursor->step() != wanted.record->size()) {
+      cursor->go(wanted.record, wanted.record->size());
+    }
+    cursor->refine(wanted.seams, wanted.step);
+  }
+  auto stats = std::make_shared<const ChartStats>(
+      statsOf(*cursor, std::max(cursor->chartCount(), wanted.charts)));
+  return {wanted, std::move(cursor), std::move(stats)};
 }
 
 }  // namespace chartflood

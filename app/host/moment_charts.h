@@ -6,14 +6,20 @@
 #include <memory>
 #include <span>
 
+#include "app/host/errand.h"
 #include "core/model/chart_stats.h"
 #include "core/segment/flood_cursor.h"
 #include "core/session/session.h"
 
 namespace chartflood {
 
+/// A near moment is there when the call returns. The way to a far one is gone on another thread
+/// while the one before stays; the caller asks again until it has come. Not for several threads.
 class MomentCharts {
  public:
+  /// `place`: where far moments are made.
+  explicit MomentCharts(WorkPlace place);
+
   /// To a moment of a flood on the mesh of the results; null: all dry.
   void show(const Results& results, const std::shared_ptr<const FloodRecord>& record,
             std::size_t step);
@@ -21,7 +27,7 @@ class MomentCharts {
   void showBorders(const Results& results, std::size_t step);
   void clear();
 
-  /// Chart of each face, kNone while dry.
+  /// Chart of each face, kNone while dry; empty before the first moment.
   std::span<const Index> labels() const;
   /// Faces and areas of the charts, and their balance; nothing of borders. A new object whenever
   /// the moment is another one; null before the first.
@@ -30,16 +36,34 @@ class MomentCharts {
   bool closedOff(Index chart) const;
 
  private:
-  bool prepare(const Results& results);
-  void count(std::size_t charts);
+  struct Moment {
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const GaussArea> gauss;
+    std::shared_ptr<const FloodRecord> record;
+    std::shared_ptr<const SeamRecord> seams;  ///< null in a flood
+    std::size_t step = 0;
+    std::size_t charts = 0;  ///< at least so many have figures
 
-  std::shared_ptr<const Mesh> mesh_;
-  std::shared_ptr<const GaussArea> gauss_;
-  std::shared_ptr<const FloodRecord> record_;
-  std::shared_ptr<const SeamRecord> seams_;  ///< null in a flood
-  std::size_t step_ = 0;
-  std::unique_ptr<FloodCursor> cursor_;
+    bool operator==(const Moment&) const = default;
+  };
+  /// A moment that was gone to on another thread.
+  struct Arrival {
+    Moment moment;
+    std::unique_ptr<FloodCursor> cursor;
+    std::shared_ptr<const ChartStats> stats;
+  };
+
+  void go(const Moment& wanted);
+  bool isNear(const Moment& wanted) const;
+  void take(const std::shared_ptr<const Mesh>& mesh);
+  static Arrival arrive(const Moment& wanted, std::unique_ptr<FloodCursor> cursor);
+
+  WorkPlace place_;
+  Moment shown_;
+  std::unique_ptr<FloodCursor> cursor_;  ///< at the moment shown
+  std::unique_ptr<FloodCursor> spare_;   ///< goes the next far way
   std::shared_ptr<const ChartStats> stats_;
+  Errand<Arrival> errand_;
 };
 
 }  // namespace chartflood

@@ -7,6 +7,7 @@
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "render/gauss_layer.h"
+#include "render/surface_vertices.h"
 
 namespace chartflood {
 
@@ -15,6 +16,7 @@ struct SurfaceDerived {
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const GaussArea> gaussArea;
   CornerNormals normals;
+  std::shared_ptr<const SurfaceVertices> vertices;
   GaussValues gaussValues;
 };
 

@@ -1,73 +1,26 @@
 #include "core/segment/flood_cursor.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/base/check.h"
-#include "core/flood/build_flood_graph.h"
-#include "core/gauss/compute_gauss_area.h"
 
 namespace chartflood {
 
-namespace {
-
-std::int64_t wholeUnits(double steradians) { return std::llround(std::ldexp(steradians, 40)); }
-
-/// Each face around the vertex once.
-template <class Visit>
-void facesAround(const Mesh& mesh, Index vertex, const Visit& visit) {
-  const Index first = mesh.vertexSide()[vertex];
-  Index last = kNone, begin = mesh.faceOf(first / 3), side = first;
-  do {
-    const Index face = mesh.faceOf(side / 3);
-    // The triangles of a polygon follow upon each other, around the start as well.
-    if (face != last && (face != begin || side == first)) visit(face);
-    last = face;
-    side = mesh.turn(side);
-  } while (side != kNone && side != first);
-}
-
-}  // namespace
-
-FloodCursor::FloodCursor(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const GaussArea> gauss)
-    : mesh_(std::move(mesh)), firstElement_(mesh_->faceCount() + 1, 0),
-      label_(mesh_->faceCount(), kNone) {
-  for (const double area : faceGaussArea(*mesh_, *gauss)) faceArea_.push_back(wholeUnits(area));
-  const std::vector<double> surface = faceAreas(*mesh_);
-  surfaceUnit_ = std::ldexp(std::accumulate(surface.begin(), surface.end(), 0.0), -50);
-  if (!(surfaceUnit_ > 0)) surfaceUnit_ = 1;
-  for (const double area : surface) faceSurface_.push_back(std::llround(area / surfaceUnit_));
-  std::vector<std::pair<Index, Element>> all;
-  for (std::size_t i = 0; i < gauss->sharpEdges.size(); ++i) {
-    const Index left = mesh_->faceOf(gauss->sharpEdges[i] / 3);
-    const Index right = mesh_->faceOf(mesh_->opposite()[gauss->sharpEdges[i]] / 3);
-    if (left == right) continue;  // inside a polygon: part of its face
-    all.push_back({left, {wholeUnits(gauss->edge[i]), right, kNone}});
-    all.push_back({right, {wholeUnits(gauss->edge[i]), left, kNone}});
-  }
-  for (std::size_t i = 0; i < gauss->corners.size(); ++i) {
-    const Element corner{wholeUnits(gauss->corner[i]), kNone, gauss->corners[i]};
-    facesAround(*mesh_, corner.vertex, [&](Index face) { all.push_back({face, corner}); });
-  }
-  for (const auto& [face, element] : all) ++firstElement_[face + 1];
-  for (std::size_t f = 0; f < mesh_->faceCount(); ++f) firstElement_[f + 1] += firstElement_[f];
-  elements_.resize(all.size());
-  std::vector<Index> next(firstElement_.begin(), firstElement_.end() - 1);
-  for (const auto& [face, element] : all) elements_[next[face]++] = element;
+FloodCursor::FloodCursor(std::shared_ptr<const FloodMeasures> measures)
+    : measures_(std::move(measures)), mesh_(&measures_->mesh()), label_(mesh_->faceCount(), kNone) {
 }
 
 double FloodCursor::gaussArea(std::size_t chart) const {
-  return std::ldexp(static_cast<double>(area_[chart]), -40);
+  return measures_->steradians(area_[chart]);
 }
 
 double FloodCursor::area(std::size_t chart) const {
-  return static_cast<double>(surface_[chart]) * surfaceUnit_;
+  return measures_->surfaceArea(surface_[chart]);
 }
 
 /// Whether the chart holds all faces of the element.
-bool FloodCursor::holds(const Element& element, Index chart) const {
+bool FloodCursor::holds(const FloodMeasures::Element& element, Index chart) const {
   if (element.across != kNone) return label_[element.across] == chart;
   const Index first = mesh_->vertexSide()[element.vertex];
   Index side = first;
@@ -81,12 +34,12 @@ bool FloodCursor::holds(const Element& element, Index chart) const {
 /// Adds or subtracts what its chart has by this face.
 void FloodCursor::change(Index face, std::int64_t sign) {
   const Index chart = label_[face];
-  std::int64_t area = faceArea_[face];
-  for (Index i = firstElement_[face]; i < firstElement_[face + 1]; ++i) {
-    if (holds(elements_[i], chart)) area += elements_[i].area;
+  std::int64_t area = measures_->area(face);
+  for (const FloodMeasures::Element& element : measures_->elements(face)) {
+    if (holds(element, chart)) area += element.area;
   }
   area_[chart] += sign * area;
-  surface_[chart] += sign * faceSurface_[face];
+  surface_[chart] += sign * measures_->surface(face);
 }
 
 /// Visits the chart across each side of the face, kNone while that is dry.

@@ -8,19 +8,19 @@
 #include <vector>
 
 #include "core/model/flood_record.h"
-#include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "core/model/seam_record.h"
+#include "core/segment/flood_measures.h"
 
 namespace chartflood {
 
 /// Stands at a moment and goes to another by taking or giving back the faces between them. Areas
-/// are counted as in chartAreas() (paper equation 2), in whole units of 2^-40 sr: sums of whole
-/// numbers do not depend on the way that led to a moment.
+/// are counted as in chartAreas() (paper equation 2), in the whole units of FloodMeasures: their
+/// sums do not depend on the way that led to a moment.
 class FloodCursor {
  public:
-  /// Dry at first. Cost: linear.
-  FloodCursor(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const GaussArea> gauss);
+  /// Dry at first.
+  explicit FloodCursor(std::shared_ptr<const FloodMeasures> measures);
 
   /// To the moment after the first `step` faces of `record`; null: all dry. Cost: the steps between
   /// two moments of one record, else `step` and what was taken before.
@@ -30,6 +30,8 @@ class FloodCursor {
   /// between.
   void refine(const std::shared_ptr<const SeamRecord>& seams, std::size_t step);
 
+  const std::shared_ptr<const FloodMeasures>& measures() const { return measures_; }
+  const std::shared_ptr<const FloodRecord>& record() const { return record_; }
   std::size_t step() const { return step_; }
   /// Chart of each face, kNone while dry.
   std::span<const Index> labels() const { return label_; }
@@ -44,14 +46,7 @@ class FloodCursor {
   double area(std::size_t chart) const;
 
  private:
-  /// A sharp edge of a face, or one of its corners.
-  struct Element {
-    std::int64_t area = 0;
-    Index across = kNone;  ///< face across the edge; kNone: a corner
-    Index vertex = kNone;  ///< of a corner
-  };
-
-  bool holds(const Element& element, Index chart) const;
+  bool holds(const FloodMeasures::Element& element, Index chart) const;
   void take(Index face, Index chart);
   void giveBack(Index face);
   void change(Index face, std::int64_t sign);
@@ -59,15 +54,12 @@ class FloodCursor {
   template <class Visit>
   void acrossSides(Index face, const Visit& visit) const;
 
-  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const FloodMeasures> measures_;
+  const Mesh* mesh_;  ///< of the measures
   std::shared_ptr<const FloodRecord> record_;
   std::size_t step_ = 0;
   std::shared_ptr<const SeamRecord> seams_;
   std::size_t seamStep_ = 0;
-  double surfaceUnit_ = 0;
-  std::vector<std::int64_t> faceArea_, faceSurface_;
-  std::vector<Index> firstElement_;  ///< of each face, and the end
-  std::vector<Element> elements_;
   std::vector<Index> label_;
   std::vector<std::size_t> faces_, openSides_;
   std::vector<std::int64_t> area_, surface_;

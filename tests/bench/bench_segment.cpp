@@ -117,7 +117,7 @@ void cursor(benchmark::State& state, const std::string& name) {
   const auto flood = makeFlood(*p.in.floodGraph, p.seeds.size());
   flood->start(p.seeds, p.offsets, true, record);
   flood->advance(kAll, nullptr);
-  FloodCursor cursor(p.in.mesh, p.in.gaussArea);
+  FloodCursor cursor(std::make_shared<FloodMeasures>(p.in.mesh, p.in.gaussArea));
   for (auto _ : state) {
     cursor.go(record, record->size());
     cursor.go(record, 0);

@@ -59,7 +59,7 @@ class FloodCursorOn : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(FloodCursorOn, AgreesWithThePrefixOfTheLogWhereverItComesFrom) {
-  FloodCursor cursor(mesh_, gauss_);
+  FloodCursor cursor(std::make_shared<FloodMeasures>(mesh_, gauss_));
   const std::size_t all = mesh_->faceCount();
   for (const std::size_t step : {all / 2, all / 3, all, std::size_t{1}, all / 2, std::size_t{0}}) {
     cursor.go(first_, step);
@@ -70,7 +70,7 @@ TEST_P(FloodCursorOn, AgreesWithThePrefixOfTheLogWhereverItComesFrom) {
 }
 
 TEST_P(FloodCursorOn, FollowsTheRefinementBackAndForth) {
-  FloodCursor cursor(mesh_, gauss_);
+  FloodCursor cursor(std::make_shared<FloodMeasures>(mesh_, gauss_));
   const std::size_t all = mesh_->faceCount();
   auto seams = std::make_shared<SeamRecord>();
   seams->start.resize(all);
@@ -116,7 +116,7 @@ TEST_P(FloodCursorOn, FollowsTheRefinementBackAndForth) {
 }
 
 TEST_P(FloodCursorOn, ComesBackToTheVerySameAreas) {
-  FloodCursor cursor(mesh_, gauss_);
+  FloodCursor cursor(std::make_shared<FloodMeasures>(mesh_, gauss_));
   const std::size_t all = mesh_->faceCount();
   cursor.go(first_, all / 2);
   std::vector<double> before;
@@ -136,7 +136,8 @@ INSTANTIATE_TEST_SUITE_P(Samples, FloodCursorOn, testing::Values("rocket", "cube
 
 TEST(FloodCursor, WithoutALogAllIsDry) {
   const auto mesh = test::sampleMesh("cube", 100);
-  FloodCursor cursor(mesh, std::make_shared<GaussArea>(computeGaussArea(*mesh, 45)));
+  FloodCursor cursor(std::make_shared<FloodMeasures>(
+      mesh, std::make_shared<GaussArea>(computeGaussArea(*mesh, 45))));
   cursor.go(nullptr, 50);
   EXPECT_EQ(cursor.step(), 0u);
   EXPECT_EQ(cursor.chartCount(), 0u);

@@ -1,0 +1,53 @@
+#include "render/surface_vertices.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <glm/vec3.hpp>
+
+namespace chartflood {
+
+namespace {
+
+std::uint32_t packComponent(float value) {
+  const double scaled = 511.0 * std::clamp(value, -1.0f, 1.0f);
+  // No call of the library: there are nine of these for each triangle.
+  const auto rounded = static_cast<std::int32_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
+  return static_cast<std::uint32_t>(rounded) & 0x3FFu;
+}
+
+std::uint32_t packNormal(const glm::vec3& n) {
+  return packComponent(n.x) | packComponent(n.y) << 10 | packComponent(n.z) << 20;
+}
+
+}  // namespace
+
+std::shared_ptr<const SurfaceVertices> surfaceVertices(const Mesh& mesh,
+                                                       const CornerNormals* normals) {
+  auto list = std::make_shared<SurfaceVertices>();
+  list->hasNormals = normals != nullptr;
+  list->vertices.reserve(mesh.vertexCount() + mesh.vertexCount() / 8);
+  list->indices.reserve(3 * mesh.triangleCount());
+  std::vector<Index> newest(mesh.vertexCount(), kNone);  // entry of a vertex made last
+  std::vector<Index> older;                              // of an entry: the one made before
+  older.reserve(list->vertices.capacity());
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index vertex = mesh.triangles()[t][i];
+      const std::uint32_t normal = normals ? packNormal(normals->normal[3 * t + i]) : 0;
+      Index entry = newest[vertex];
+      while (entry != kNone && list->vertices[entry].normal != normal) entry = older[entry];
+      if (entry == kNone) {
+        entry = static_cast<Index>(list->vertices.size());
+        const glm::vec3 place(mesh.positions()[vertex]);
+        list->vertices.push_back({{place.x, place.y, place.z}, normal});
+        older.push_back(newest[vertex]);
+        newest[vertex] = entry;
+      }
+      list->indices.push_back(entry);
+    }
+  }
+  return list;
+}
+
+}  // namespace chartflood

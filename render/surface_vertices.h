@@ -1,0 +1,31 @@
+#pragma once
+/// Vertices as the graphics card gets them, made without one: on any thread.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/model/corner_normals.h"
+#include "core/model/mesh.h"
+
+namespace chartflood {
+
+/// Corners of one vertex share an entry where their normals agree.
+struct SurfaceVertices {
+  /// One drawn vertex; 16 bytes, so that shaders can read the array as vec4 too.
+  struct Vertex {
+    std::array<float, 3> place;
+    std::uint32_t normal;  ///< GL_INT_2_10_10_10_REV
+  };
+  std::vector<Vertex> vertices;
+  std::vector<Index> indices;  ///< three a triangle, in the mesh's order
+  bool hasNormals = false;     ///< else shading uses the plane of each triangle
+};
+
+/// Gives each corner the entry of its vertex with the same normal, made when there is none yet.
+/// `normals` may be null. Cost: linear.
+std::shared_ptr<const SurfaceVertices> surfaceVertices(const Mesh& mesh,
+                                                       const CornerNormals* normals);
+
+}  // namespace chartflood
