@@ -82,10 +82,21 @@ void addPicture(std::vector<OptionInfo>& table) {
   add("color-by", "MODE", joined(colorModeIds(), ", ") + ". Default: charts.");
   add("colormap", "NAME", "Colours of values; --list-colormaps names them.");
   add("range", "MIN,MAX", "Values at the ends of the colour map. Default: from the values.");
+  add("color-scale", "auto|linear|root|log",
+      "How values run along the colours. Default: auto, the mode's own.");
+  add("color-steps", "N", "So many flat colours, 2 to 32, instead of a smooth run; 0: smooth.");
+  add("invert-colors", "", "Swaps the ends of the colour map. Default: off.");
+  add("clamp-colors", "",
+      "Values out of the range have its end colours; off: such faces are grey. Default: on.");
+  add("problems", "",
+      "Marks what deserves attention: flipped, overlapping or thin charts, sharp edges that no "
+      "border follows. Default: off.");
   add("background", "COLOR",
       "dark, white, black, #RRGGBB, R,G,B with 0..255, or transparent. Default: dark.");
   add("seams", "", "Lines where charts meet. Default: on.");
+  add("cuts", "", "Lines along which charts are cut open. Default: on.");
   add("edges", "", "The edges of the mesh. Default: off.");
+  add("sharp-edges", "", "The edges that are folded more than the sharp edge angle. Default: off.");
   add("seed-marks", "", "Marks at the seeds. Default: on.");
   add("numbers", "", "Chart numbers on the charts. Default: off.");
   add("scalar-bar", "", "The scale of the colours. Default: on where colours stand for values.");

@@ -163,6 +163,33 @@ void readColors(const Tokens& tokens, RenderSettings& settings) {
   }
 }
 
+int readColorSteps(const Tokens& tokens) {
+  constexpr std::size_t kMostColors = 32;
+  const std::size_t steps = readCount("color-steps", tokens.text("color-steps"), 0, kMostColors);
+  if (steps == 1) {
+    throw UsageError("--color-steps=1 is a single colour: give 2 to 32, or 0 for a smooth run.");
+  }
+  return static_cast<int>(steps);
+}
+
+/// How values become colours, as the legend of the window has it.
+void readLegend(const Tokens& tokens, RenderSettings& settings) {
+  if (tokens.has("color-scale")) {
+    const std::vector<std::string> scales{"auto", "linear", "root", "log"};
+    const std::string id = readChoice("color-scale", tokens.text("color-scale"), scales);
+    const ColorMap* own = findColorMap(colorModeInfo(settings.colorMode).colorMap);
+    if (id == "log" && own != nullptr && own->diverging) {
+      throw UsageError("--color-scale=log has no place for values on both sides of 0: choose auto, "
+                       "linear or root.");
+    }
+    settings.scale.reset();
+    if (id == "linear") settings.scale = ScalarScale::Linear;
+    if (id == "root") settings.scale = ScalarScale::Root;
+    if (id == "log") settings.scale = ScalarScale::Log;
+  }
+  if (tokens.has("color-steps")) settings.colorSteps = readColorSteps(tokens);
+}
+
 void readBackground(const Tokens& tokens, RenderSettings& settings) {
   if (!tokens.has("background")) return;
   try {
@@ -177,7 +204,12 @@ void readOverlays(const Tokens& tokens, RenderSettings& settings) {
     if (tokens.has(option)) value = readSwitch(option, tokens.text(option));
   };
   read("seams", settings.seams);
+  read("cuts", settings.cuts);
   read("edges", settings.edges);
+  read("sharp-edges", settings.sharpEdges);
+  read("problems", settings.problems);
+  read("invert-colors", settings.invertColorMap);
+  read("clamp-colors", settings.clampColors);
   read("seed-marks", settings.seedMarks);
   read("numbers", settings.numbers);
   read("scalar-bar", settings.scalarBar);
@@ -195,6 +227,7 @@ double readWithin(const Tokens& tokens, const std::string& option, double least,
 
 void readPicture(const Tokens& tokens, PictureOptions& picture) {
   readColors(tokens, picture.settings);
+  readLegend(tokens, picture.settings);
   readBackground(tokens, picture.settings);
   picture.backgroundGiven = picture.backgroundGiven || tokens.has("background");
   readOverlays(tokens, picture.settings);

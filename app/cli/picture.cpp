@@ -7,6 +7,8 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/cli/camera_options.h"
+#include "app/host/problem_marks.h"
+#include "app/host/problems.h"
 #include "core/gauss/sector_normals.h"
 #include "render/corner_uv.h"
 #include "render/gl/offscreen_context.h"
@@ -54,6 +56,10 @@ void fill(Renderer& renderer, const Results& results, const PictureOptions& opti
   renderer.updateFlood();
   renderer.setSeeds(seedMarks(results));
   if (results.flat) fillFlat(renderer, results);
+  // They belong to the finished charts.
+  if (options.settings.problems && results.segmentation->complete && results.chartStats) {
+    renderer.setMarks(problemMarks(*results.mesh, *results.segmentation, findProblems(results)));
+  }
 }
 
 Camera pictureCamera(const Results& results, const PictureOptions& options) {
@@ -87,6 +93,7 @@ Camera turntableCamera(const Results& results, const PictureOptions& options) {
 Image drawView(Renderer& renderer, const PictureOptions& options, RenderSettings settings,
                const Camera& camera) {
   using View = PictureOptions::View;
+  if (settings.playhead) settings.problems = false;
   const PictureSize size{
       .width = options.width, .height = options.height, .supersampling = options.supersampling};
   settings.pixelScale = options.lineScale > 0 ? static_cast<float>(options.lineScale)

@@ -49,19 +49,22 @@ void note(const AppState& state, std::span<const PicturePiece> pieces, int smoot
   taken.shown->camera = first.camera;
 }
 
-/// True when a session leads to what is shown: it holds no earlier rounds, no borders on their way,
-/// no marks and no picture on the checkerboard.
+/// True when a session holds what pictures of finished charts and of the flood are made from: no
+/// earlier rounds, no borders on their way, no picture on the checkerboard.
+bool sessionHolds(const AppState& state) {
+  const bool other = state.film.ready() || state.playback.inBorders();
+  return !other && state.view.checkerFile.empty();
+}
+
+/// True when a session leads to what is shown. Problems are those of charts laid flat.
 bool comesBack(const AppState& state) {
-  if (state.film.ready() || state.playback.inBorders() || state.view.render.problems) return false;
-  if (!state.view.checkerFile.empty()) return false;
+  if (!sessionHolds(state) || (state.view.render.problems && !state.results().flat)) return false;
   return state.showsFinal() || state.playback.onWorkersRound();
 }
 
 /// The same for every moment of the flood that is played.
 bool filmComesBack(const AppState& state) {
-  const bool ofSession = !state.film.ready() && !state.playback.inBorders() &&
-                         !state.view.render.problems && state.view.checkerFile.empty();
-  return ofSession && state.playback.onWorkersRound();
+  return comesBack(state) && state.playback.onWorkersRound();
 }
 
 /// What each half of a comparison was made with.
@@ -127,6 +130,7 @@ Image drawOfRow(const AppState& state, CompareScene& scene, const PictureRequest
     const double share = static_cast<double>(number) / (wanted.frames - 1);
     piece.look.playhead =
         static_cast<std::size_t>(share * static_cast<double>(state.playback.recorded()));
+    piece.look.problems = false;  // they belong to the finished charts
   }
   note(state, pieces, wanted.smooth, taken);
   return drawPieces(pieces, extent.width, extent.height, wanted.smooth);

@@ -27,6 +27,7 @@ void SceneView::takeMesh(const AppState& state, const Results& results) {
   mesh_ = results.mesh;
   renderer_.setMesh(mesh_, nullptr);
   if (pane_.live()) renderer_.setChartColors(state.view.chartColors);
+  recolored_ = state.view.recolored;
   segmentation_.reset();
   stats_.reset();
   record_.reset();
@@ -214,6 +215,11 @@ void SceneView::takeIn(const AppState& state) {
     renderer_.setSegmentation(segmentation_.get());
     stats_.reset();
     borders_.reset();
+    ++content_;
+  }
+  if (pane_.live() && recolored_ != state.view.recolored) {
+    renderer_.setChartColors(state.view.chartColors);
+    recolored_ = state.view.recolored;
     ++content_;
   }
   if (pane_.live()) {

@@ -138,6 +138,7 @@ std::vector<glm::vec3> SceneView::chartColors(const AppState& state) const {
 std::vector<Index> SceneView::chartColorNumbers(const AppState& state) const {
   const Segmentation* labels = segmentation_.get();
   if (!mesh_ || state.results().mesh != mesh_ || labels == nullptr) return {};
+  if (recolored_ != state.view.recolored) return {};  // the state knows better
   const auto numbers = renderer_.chartColorNumbers();
   const auto count = std::min<std::size_t>(labels->chartCount, numbers.size());
   return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count)};

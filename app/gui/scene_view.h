@@ -124,6 +124,7 @@ class SceneView : public SceneSource {
   std::size_t recorded_ = 0;  ///< entries that the record had at the last look
   bool floodTaken_ = true;    ///< all of them are drawn from
   std::vector<SeedMark> seeds_;
+  unsigned recolored_ = 0;    ///< of the colours taken over from the state
   bool filmShown_ = false;    ///< lines of a film are drawn
   std::size_t filmStep_ = 0;  ///< of these lines
   struct HintsShown {

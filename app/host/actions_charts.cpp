@@ -11,6 +11,7 @@
 #include "app/host/action_registry.h"
 #include "app/host/actions.h"
 #include "app/host/app_state.h"
+#include "app/host/chart_swap.h"
 #include "app/host/checker_picture.h"
 #include "app/host/switch_action.h"
 #include "core/base/error.h"
@@ -100,6 +101,23 @@ void addHiding(ActionRegistry& registry) {
                   showInTexture(state, namedChart(state, a));
                 }});
   registry.bind("Shift+F", "chart-in-texture");
+}
+
+void addSwap(ActionRegistry& registry) {
+  registry.add({.id = "swap-colors",
+                .title = "Swap colours",
+                .help = "Two charts change their colours with each other; neighbours still differ.",
+                .arguments = {{"chart", ArgumentType::Integer, "one chart"},
+                              {"with", ArgumentType::Integer, "left out: the selected", false}},
+                .refusal = needsCharts,
+                .run = [](AppState& state, const Arguments& a) {
+                  const Index chart = namedChart(state, a);
+                  const long with = a.integer("with", static_cast<long>(state.selectedChart));
+                  if (!a.has("with") && state.selectedChart == kNone) {
+                    throw Refusal("Select the chart that it shall change colours with.");
+                  }
+                  swapColors(state, chart, with < 0 ? kNone : static_cast<Index>(with));
+                }});
 }
 
 void addSelection(ActionRegistry& registry) {
@@ -253,6 +271,7 @@ void addTexture(ActionRegistry& registry) {
 
 void addChartActions(ActionRegistry& registry) {
   addSelection(registry);
+  addSwap(registry);
   addChecker(registry);
   addTexture(registry);
 }

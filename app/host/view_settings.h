@@ -33,7 +33,8 @@ struct ViewSettings {
   Camera camera;
   UvStyle uv;
   UvCamera uvCamera;
-  std::vector<Index> chartColors;             ///< number of each chart's colour in the palette
+  std::vector<Index> chartColors;  ///< number of each chart's colour in the palette
+  unsigned recolored = 0;  ///< times that these were changed by hand: the renderer takes them over
   std::map<ColorMode, LegendChoice> legends;  ///< of the modes that are not shown now
   std::string checkerFile;                    ///< of the picture on the checkerboard; "": none
   std::vector<Index> hiddenCharts;            ///< put away by hand, ascending

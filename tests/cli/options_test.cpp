@@ -112,6 +112,25 @@ TEST(Options, OfThePicture) {
   EXPECT_FALSE(picture.settings.seedMarks);
 }
 
+TEST(Options, OfTheLegend) {
+  const RenderSettings settings =
+      read({"--color-by=gauss-face", "--color-scale=root", "--color-steps=8", "--invert-colors",
+            "--clamp-colors=off", "--problems", "--cuts=off", "--sharp-edges"})
+          .picture.settings;
+  EXPECT_EQ(settings.scale, ScalarScale::Root);
+  EXPECT_EQ(settings.colorSteps, 8);
+  EXPECT_TRUE(settings.invertColorMap);
+  EXPECT_FALSE(settings.clampColors);
+  EXPECT_TRUE(settings.problems);
+  EXPECT_FALSE(settings.cuts);
+  EXPECT_TRUE(settings.sharpEdges);
+  EXPECT_EQ(read({"--color-scale=auto"}).picture.settings.scale, std::nullopt);
+  EXPECT_THAT(refusal({"--color-scale=roots"}), HasSubstr("root"));
+  EXPECT_THAT(refusal({"--color-by=balance", "--color-scale=log"}), HasSubstr("both sides of 0"));
+  EXPECT_THAT(refusal({"--color-steps=1"}), HasSubstr("2 to 32"));
+  EXPECT_THAT(refusal({"--color-steps=33"}), HasSubstr("32"));
+}
+
 TEST(Options, OfCutsAndTexture) {
   const Invocation call = read({"--cut-tips=off", "--tip=0.8", "--relief-stretch=0",
                                 "--unwrap=circle", "--layout=square", "--texture-size=2048",

@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/host/chart_swap.h"
 #include "app/host/session_view.h"
+#include "render/chart_palette.h"
 #include "render/image.h"
 #include "tests/gui/headless_frame.h"
 #include "tests/gui/pointer_source.h"
@@ -89,6 +91,65 @@ TEST_F(ChartMenu, GoesToTheTexture) {
   }
   EXPECT_EQ(state().selectedChart, 1u);
   EXPECT_EQ(state().panels.rightTab, PanelState::RightTab::Uv);
+}
+
+/// With the colours that the model would have.
+class SwapColours : public ChartMenu {
+ protected:
+  SwapColours() {
+    const Results& results = state().results();
+    pairs = neighbourCharts(*results.mesh, results.segmentation->label);
+    state().view.chartColors =
+        colorCharts(results.segmentation->chartCount, pairs, {}, chartPaletteTable()[0]);
+  }
+  std::vector<Index>& colors() { return state().view.chartColors; }
+
+  std::vector<ChartPair> pairs;
+};
+
+TEST_F(SwapColours, PartnersKeepNeighboursApart) {
+  const std::vector<Index> before = colors();
+  for (Index chart = 0; chart < before.size(); ++chart) {
+    colors() = before;
+    const std::vector<Index> partners = colorPartners(state(), chart);
+    for (const Index other : partners) {
+      colors() = before;
+      swapColors(state(), chart, other);
+      EXPECT_EQ(colors()[chart], before[other]);
+      EXPECT_EQ(colors()[other], before[chart]);
+      for (const auto& [a, b] : pairs) EXPECT_NE(colors()[a], colors()[b]);
+    }
+  }
+}
+
+TEST_F(SwapColours, RefusesWhatWouldMakeNeighboursAlike) {
+  const std::vector<Index> before = colors();
+  const unsigned times = state().view.recolored;
+  std::size_t refused = 0;
+  for (Index other = 1; other < before.size(); ++other) {
+    const std::vector<Index> partners = colorPartners(state(), 0);
+    if (std::find(partners.begin(), partners.end(), other) != partners.end()) continue;
+    EXPECT_FALSE(run("swap-colors 0 " + std::to_string(other)));
+    ++refused;
+  }
+  EXPECT_GT(refused, 0u);
+  EXPECT_FALSE(run("swap-colors 0 4000"));
+  EXPECT_FALSE(run("swap-colors 0"));  // none is selected
+  EXPECT_EQ(colors(), before);
+  EXPECT_EQ(state().view.recolored, times);
+}
+
+TEST_F(SwapColours, StandsInTheMenuOfAChart) {
+  const Index chart = rightClick();
+  const std::vector<Index> before = colors(), partners = colorPartners(state(), chart);
+  ASSERT_FALSE(partners.empty());
+  ui.moveTo(ui.item("swap-colors/" + std::to_string(chart)).center());
+  ui.frames(40);
+  const std::string line =
+      "swap-colors " + std::to_string(chart) + " " + std::to_string(partners[0]);
+  ui.click("menu/" + line);
+  EXPECT_EQ(ui.lastLine(), line);
+  EXPECT_EQ(colors()[chart], before[partners[0]]);
 }
 
 class OwnPicture : public ChartMenu {

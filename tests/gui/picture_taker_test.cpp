@@ -11,6 +11,7 @@
 
 #include "app/gui/picture_taker.h"
 #include "app/host/action_registry.h"
+#include "app/host/chart_swap.h"
 #include "render/gl/offscreen_context.h"
 #include "render/image.h"
 #include "tests/support/temporary_folder.h"
@@ -100,6 +101,23 @@ TEST_F(PictureTakerTest, SidesHaveTheirOwnProblemsMarked) {
   const Image alike = picture("view=ab");
   EXPECT_EQ(columns(alike, 0, 80), columns(marked, 0, 80));
   EXPECT_EQ(columns(alike, 80, 160), columns(marked, 0, 80));
+}
+
+TEST_F(PictureTakerTest, SwappedColoursAreShownAndStay) {
+  const Image before = picture("view=3d");
+  state.view.chartColors = live.chartColorNumbers(state);
+  Index chart = 0;
+  while (colorPartners(state, chart).empty()) ++chart;
+  const Index other = colorPartners(state, chart)[0];
+  const std::vector<Index> first = state.view.chartColors;
+  const std::string line = "swap-colors " + std::to_string(chart) + ' ' + std::to_string(other);
+  run(line);
+  EXPECT_TRUE(live.chartColorNumbers(state).empty()) << "they are not drawn yet";
+  EXPECT_NE(picture("view=3d"), before);
+  EXPECT_EQ(live.chartColorNumbers(state), state.view.chartColors);
+  EXPECT_NE(state.view.chartColors, first);
+  run(line);
+  EXPECT_EQ(picture("view=3d"), before);
 }
 
 TEST_F(PictureTakerTest, ATransparentGroundHasNoAlpha) {

@@ -12,6 +12,7 @@
 #include "app/cli/options.h"
 #include "app/gui/picture_taker.h"
 #include "app/host/action_registry.h"
+#include "app/host/chart_swap.h"
 #include "core/base/error.h"
 #include "core/io/file_output.h"
 #include "render/gl/offscreen_context.h"
@@ -44,9 +45,9 @@ class SamePicture : public ::testing::Test {
     ASSERT_TRUE(state.perform(actions, line)) << line;
     settle();
   }
-  void openModel() {
+  void openModel(const std::string& sample = "bumps") {
     const std::string file = (folder.path() / "model.obj").string();
-    call({"--sample=bumps", "--triangles=500", "--layout=square", "--export-mesh=" + file});
+    call({"--sample=" + sample, "--triangles=500", "--layout=square", "--export-mesh=" + file});
     run("open " + file);
     frameModel();
   }
@@ -55,7 +56,12 @@ class SamePicture : public ::testing::Test {
     state.view.camera.frame(state.results().mesh->positions(), 180.0 / 130);
     state.view.frameWhenLoaded = false;
   }
-  void call(std::vector<std::string> words) { runBatch(readOptions(words)); }
+  /// The command line has a context of its own.
+  void call(std::vector<std::string> words) {
+    context->release();
+    runBatch(readOptions(words));
+    context->makeCurrent();
+  }
 
   /// Takes a picture as set, makes it again, and looks at both.
   void expectTheSame(const std::string& how, std::vector<std::string> words = {}) {
@@ -112,11 +118,71 @@ TEST_F(SamePicture, OfValuesFromAnotherSide) {
   expectTheSame("view=3d scale=2");
 }
 
+TEST_F(SamePicture, WithColoursThatWereSwapped) {
+  openModel();
+  for (Index chart = 0; chart < state.view.chartColors.size(); ++chart) {
+    const std::vector<Index> partners = colorPartners(state, chart);
+    if (partners.empty()) continue;
+    run("swap-colors " + std::to_string(chart) + ' ' + std::to_string(partners.back()));
+    break;
+  }
+  ASSERT_GT(state.view.recolored, 0u);
+  expectTheSame("view=3d");
+}
+
 TEST_F(SamePicture, OfAFloodUnderWay) {
   openModel();
   run("seek 200");
   ASSERT_FALSE(state.showsFinal());
   expectTheSame("view=3d");
+}
+
+TEST_F(SamePicture, WithProblemsMarked) {
+  openModel("rocket");
+  run("set charts 3");
+  run("unwrap");
+  run("problems on");
+  expectTheSame("view=3d");
+  expectTheSame("view=uv");
+}
+
+TEST_F(SamePicture, WhereOptionsSayWhatTheLegendDoes) {
+  openModel("rocket");
+  run("set charts 3");
+  run("unwrap");
+  run("color-mode gauss-face");
+  const std::string plain = (folder.path() / "plain.png").string();
+  const std::string edited = (folder.path() / "edited.png").string();
+  const std::string again = (folder.path() / "again.png").string();
+  const auto take = [&](const std::string& file) {
+    ASSERT_TRUE(state.perform(actions, "screenshot view=3d file=" + file));
+    PictureTaker taker([] {});
+    taker.update(state, scene, 1);
+  };
+  take(plain);
+  std::vector<std::string> words = {"--like=" + plain, "--output=" + again,
+                                    (folder.path() / "model.obj").string()};
+  // Each one more changes the picture, in the window and by its option in the same way.
+  const std::pair<const char*, const char*> changes[] = {
+      {"legend-scale root", "--color-scale=root"},
+      {"legend-steps 5", "--color-steps=5"},
+      {"invert-colors on", "--invert-colors"},
+      {"colormap magma", "--colormap=magma"},
+      {"legend-range 0 0.02", "--range=0,0.02"},
+      {"legend-clamp off", "--clamp-colors=off"},
+      {"problems on", "--problems"},
+      {"sharp-edges on", "--sharp-edges"}};
+  Image before = readPng(plain);
+  for (const auto& [line, option] : changes) {
+    run(line);
+    take(edited);
+    words.emplace_back(option);
+    call(words);
+    const Image wanted = readPng(edited);
+    EXPECT_EQ(compareImages(wanted, readPng(again)).differentPixels, 0u) << option;
+    EXPECT_GT(compareImages(wanted, before).differentPixels, 0u) << option;
+    before = wanted;
+  }
 }
 
 TEST_F(SamePicture, OfTheTexture) {

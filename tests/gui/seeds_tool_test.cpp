@@ -268,6 +268,7 @@ TEST_F(SeedsTool, ARightClickOpensAMenu) {
   const std::string number = " seed=" + std::to_string(seed);
   clickAt(placeOf(seeds()[seed].face), 1);
   ui_.frames(3);
+  EXPECT_TRUE(ui_.has("swap-colors/" + std::to_string(seed)));
   ui_.click("menu/lock-seed" + number);
   ui_.frames(2);
   EXPECT_TRUE(seeds()[seed].locked);

@@ -2,11 +2,39 @@
 // in the texture.
 
 #include <string>
+#include <vector>
 
 #include "app/gui/panels/panels.h"
+#include "app/gui/panels/plot_widgets.h"
 #include "app/gui/widgets.h"
+#include "app/host/chart_swap.h"
 
 namespace chartflood {
+
+void swapEntries(const Ui& ui, Index chart) {
+  const std::string number = std::to_string(chart);
+  const bool known = ui.state.view.chartColors.size() > chart;
+  const bool open = ImGui::BeginMenu("Swap colours with", known);
+  ui.probe.item("swap-colors/" + number);
+  if (!open) return;
+  const std::vector<Index> partners = colorPartners(ui.state, chart);
+  for (const Index other : partners) {
+    const float side = ImGui::GetFontSize();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + side, low.y + side},
+                                              chartColor(ui, other), ui.px(2));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + side + ui.px(8));
+    const std::string with = std::to_string(other);
+    actionMenuItem(ui, "swap-colors " + number + " " + with, "Chart " + with);
+    if (ImGui::IsItemHovered()) ui.pointAt(other);
+  }
+  if (partners.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
+    ImGui::TextUnformatted("None: neighbours would have one colour");
+    ImGui::PopStyleColor();
+  }
+  ImGui::EndMenu();
+}
 
 void chartEntries(const Ui& ui, Index chart) {
   const std::string number = std::to_string(chart);
@@ -20,6 +48,7 @@ void chartEntries(const Ui& ui, Index chart) {
   ImGui::Separator();
   actionMenuItem(ui, "frame-selection " + number, "Come close to it");
   actionMenuItem(ui, "chart-in-texture " + number);
+  swapEntries(ui, chart);
   ImGui::Separator();
   actionMenuItem(ui, "copy-figures " + number, "Copy its figures");
   actionMenuItem(ui, "copy-charts", "Copy all as CSV");

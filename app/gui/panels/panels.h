@@ -26,6 +26,8 @@ void problemList(const Ui& ui);
 /// Links the row of the chart table that was just submitted: hover and the menu of the right mouse
 /// button. Call between its widget and the next cell.
 void linkChartRow(const Ui& ui, Index chart);
+/// The charts that one can change colours with, as a menu within a menu.
+void swapEntries(const Ui& ui, Index chart);
 /// What can be done with one chart, as entries of a menu.
 void chartEntries(const Ui& ui, Index chart);
 /// Normals of the chart pointed at or selected, on the unit sphere, with its figures.

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/gui/panels/hints_tool.h"
+#include "app/gui/panels/panels.h"
 #include "app/gui/widgets.h"
 
 namespace chartflood {
@@ -170,6 +171,7 @@ void seedMenu(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
                    seeds[mouse.menuSeed].locked ? "Unlock" : "Lock");
     actionMenuItem(ui, seedLine("delete-seed", mouse.menuSeed), "Delete");
     ImGui::Separator();
+    swapEntries(ui, mouse.menuSeed);
     actionMenuItem(ui, "chart-in-texture " + std::to_string(mouse.menuSeed));
   }
   ImGui::EndPopup();
