@@ -30,7 +30,7 @@ fi
 program=$2 folder=$3
 
 shot() { # name
-  sleep 0.7
+  settle # software drivers draw for a while
   if [ -n "$PICTURES_FOLDER" ]; then
     import -window root "$PICTURES_FOLDER/$PICTURES_SIZE-$PICTURES_THEME-$1.png"
   else

@@ -23,7 +23,8 @@ MaxFlow::Amount amountOf(double energy) {
 
 }  // namespace
 
-bool PairCut::run(SeamState& state, const SeamBalance& balance, Index a, Index b) {
+bool PairCut::run(SeamState& state, const SeamBalance& balance, Index a, Index b,
+                  const Progress& progress) {
   state_ = &state;
   balance_ = &balance;
   a_ = a;
@@ -34,8 +35,8 @@ bool PairCut::run(SeamState& state, const SeamBalance& balance, Index a, Index b
   bool better = false;
   if (found) {
     prepareNodes();
-    tryPrices();
-    better = choose();
+    tryPrices(progress);
+    better = !progress.cancelled() && choose();
   }
   release();
   return better;
@@ -228,14 +229,14 @@ bool PairCut::narrow(const Candidate& low, const Candidate& high) {
 }
 
 /// Minimum cuts at several prices, closing in on the one that the resulting balance asks for.
-void PairCut::tryPrices() {
+void PairCut::tryPrices(const Progress& progress) {
   open_.resize(band_.size());
   for (Index v = 0; v < band_.size(); ++v) open_[v] = v;
   double price = balance_->price(now_.a.value, now_.b.value);
   buildGraph(price);
   std::size_t low = kNone, high = kNone;  // candidates at the ends of the bracket
   double lowPrice = 0, highPrice = 0;
-  for (std::size_t i = 0; i < kPrices; ++i) {
+  for (std::size_t i = 0; i < kPrices && !progress.cancelled(); ++i) {
     solve();
     judge();
     SeamBalance after = *balance_;

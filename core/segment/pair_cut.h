@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/index.h"
+#include "core/base/progress.h"
 #include "core/segment/max_flow.h"
 #include "core/segment/seam_balance.h"
 #include "core/segment/seam_state.h"
@@ -18,8 +19,10 @@ namespace chartflood {
 class PairCut {
  public:
   /// Looks for a better seam between charts a and b. Reads the state and writes only scratch
-  /// entries of the two charts' nodes. True when one was found that lowers the energy.
-  bool run(SeamState& state, const SeamBalance& balance, Index a, Index b);
+  /// entries of the two charts' nodes. True when one was found that lowers the energy. Once
+  /// `progress` is cancelled it gives up, and what it says means nothing.
+  bool run(SeamState& state, const SeamBalance& balance, Index a, Index b,
+           const Progress& progress);
 
   /// What the best seam changes.
   double lengthChange() const { return best_.length; }
@@ -47,7 +50,7 @@ class PairCut {
   void flip(Index bandNode);
   void judge();
   bool narrow(const Candidate& low, const Candidate& high);
-  void tryPrices();
+  void tryPrices(const Progress& progress);
   bool choose();
   bool allowed(const Figures& after) const;
   bool staysWhole(std::span<const std::uint8_t> inA);

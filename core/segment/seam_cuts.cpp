@@ -117,14 +117,13 @@ class SeamCuts::Engine {
   }
 
   bool runStage(Progress& progress) {
-    if (!inStage_) beginStage();
+    if (!inStage_ && !beginStage(progress)) return false;
     inStage_ = true;
     while (sweep_ < stages_[stage_].sweeps) {
       if (!inSweep_) beginSweep();
       inSweep_ = true;
       while (!pairs_.empty()) {
-        cutBatch();
-        if (progress.cancelled()) return false;
+        if (!cutBatch(progress)) return false;
       }
       inSweep_ = false;
       ++sweep_;
@@ -134,15 +133,19 @@ class SeamCuts::Engine {
     return true;
   }
 
-  void beginStage() {
+  /// False when it was stopped: the stage must be begun again then.
+  bool beginStage(const Progress& progress) {
+    if (progress.cancelled()) return false;
     const SeamStage& stage = stages_[stage_];
     state_.band =
         stage.band * options_.band * std::sqrt(mesh_.surfaceArea() / static_cast<double>(charts_));
     FaceClusters clusters = stage.size == 1 && options_.clusters
                                 ? clusterNearSeams(mesh_, label_, ringsOf(state_.band))
                                 : clusterFaces(mesh_, label_, stage.size);
+    if (progress.cancelled()) return false;
     const std::size_t firstFixed = clusters.firstFixed;
     level_ = buildSeamLevel(mesh_, tables_, std::move(clusters.ofFace), clusters.count);
+    if (progress.cancelled()) return false;
     const std::size_t nodes = level_.nodeCount();
     for (std::size_t i = firstFixed; i < nodes; ++i) level_.fixed[i] = 1;
     for (const Index face : fixed_) level_.fixed[level_.nodeOfFace[face]] = 1;
@@ -161,6 +164,7 @@ class SeamCuts::Engine {
     sweep_ = 0;
     changed_.assign(charts_, 1);
     listFaces();
+    return true;
   }
 
   /// Steps across faces that the last stage's band may need: twice its width.
@@ -208,7 +212,10 @@ class SeamCuts::Engine {
   }
 
   /// Takes the first pairs without a common chart, cuts them, and applies what lowers the energy.
-  void cutBatch() {
+  /// False when it was stopped: all pairs are as they were then, so that going on gives what going
+  /// straight through would have given.
+  bool cutBatch(const Progress& progress) {
+    if (progress.cancelled()) return false;
     used_.assign(charts_, 0);
     batch_.clear();
     std::size_t kept = 0;
@@ -223,11 +230,17 @@ class SeamCuts::Engine {
     pairs_.resize(kept);
     found_.assign(batch_.size(), 0);
     parallelFor(batch_.size(), [&](std::size_t i) {
-      found_[i] = cuts_[i].run(state_, balance_, batch_[i].first, batch_[i].second);
+      found_[i] = cuts_[i].run(state_, balance_, batch_[i].first, batch_[i].second, progress);
     });
+    if (progress.cancelled()) {
+      pairs_.insert(pairs_.end(), batch_.begin(), batch_.end());
+      std::sort(pairs_.begin(), pairs_.end());
+      return false;
+    }
     for (std::size_t i = 0; i < batch_.size(); ++i) {
       if (found_[i]) apply(cuts_[i], batch_[i].first, batch_[i].second);
     }
+    return true;
   }
 
   void apply(const PairCut& cut, Index a, Index b) {

@@ -137,7 +137,9 @@ StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress)
   // Who steps on from finished charts wants more rounds: these begin from the best one's seeds.
   if (!stepper_ || finished()) {
     progress.beginPhase("Placing seeds");
-    makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
+    const auto creases = wantsCreases();
+    if (progress.cancelled()) return StepOutcome::Cancelled;
+    makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations), creases, wantsFast());
   } else if (locksChanged_) {
     takeLocks(progress);
   }

@@ -87,7 +87,7 @@ class Session::Engine {
     add(JobQueue::Kind::Apply, [this, document, live](Progress& progress) {
       const bool changed = pipeline_.apply(document, live, progress);
       publish(changed && !pipeline_.stale());
-      if (live) unwrapWhenDue();
+      if (live) unwrapWhenDue(progress);
     });
   }
 
@@ -116,7 +116,7 @@ class Session::Engine {
     add(JobQueue::Kind::Apply, [this, document, moment](Progress& progress) {
       pipeline_.restore(document, moment, progress);
       publish(true);
-      unwrapWhenDue();
+      unwrapWhenDue(progress);
     });
   }
 
@@ -127,7 +127,7 @@ class Session::Engine {
       if (unit == StepUnit::Converged && pipeline_.triesSeeds()) {
         const StepOutcome outcome = pipeline_.stepWithSeeds(progress);
         publish(outcome != StepOutcome::Cancelled);
-        return unwrapWhenDue();
+        return unwrapWhenDue(progress);
       }
       // Whole rounds are taken one by one, so that each can be seen when it is done.
       const bool untilEnd = unit == StepUnit::Converged;
@@ -141,7 +141,7 @@ class Session::Engine {
         const bool more = outcome == StepOutcome::Advanced && (untilEnd || left > 0);
         publish(!more);
       }
-      unwrapWhenDue();
+      unwrapWhenDue(progress);
     });
   }
 
@@ -213,9 +213,10 @@ class Session::Engine {
     });
   }
 
-  /// On the worker: has finished charts laid flat after the running job.
-  void unwrapWhenDue() {
-    if (!autoUnwrap_ || !pipeline_.awaitsUnwrap()) return;
+  /// On the worker: has finished charts laid flat after the running job, unless that was stopped at
+  /// its very end: whoever wants the worker to rest means what would follow, too.
+  void unwrapWhenDue(const Progress& job) {
+    if (job.cancelled() || !autoUnwrap_ || !pipeline_.awaitsUnwrap()) return;
     add(JobQueue::Kind::Unwrap, [this](Progress& progress) {
       if (pipeline_.awaitsUnwrap() && pipeline_.unwrap(progress)) publish(false);
     });

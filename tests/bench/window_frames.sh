@@ -40,16 +40,6 @@ stir() { # widget x1 y1 x2 y2 seconds
   done
   xdotool mouseup 1
 }
-# Waits until the program has been quiet for two seconds.
-settle() {
-  local before after i
-  for i in $(seq 60); do
-    before=$(ticks); sleep 1; after=$(ticks)
-    [ $((after - before)) -le 2 ] && return
-  done
-}
-ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat"; }
-
 "$program" "$FRAMES_MODEL" & pid=$!
 shows scrubber || fail "no window"
 await xdotool search --name "^$(basename "${FRAMES_MODEL%.*}")" || fail "the model was not opened"

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "app/gui/panels/plot_widgets.h"
 #include "app/gui/scene_view.h"
+#include "render/chart_palette.h"
 #include "tests/gui/headless_frame.h"
 
 namespace chartflood {
@@ -47,6 +49,18 @@ TEST_P(Themes, SignalsAreReadableAsText) {
   for (const ImU32 ground : {p.panel, p.bar, p.popup}) {
     for (const ImU32 signal : {p.accent, p.front, p.good, p.warning, p.error}) {
       EXPECT_GE(contrast(signal, ground), least) << std::hex << signal << " on " << ground;
+    }
+  }
+}
+
+TEST_P(Themes, BarsOfChartsAreToldFromTheirGround) {
+  for (const ChartPalette& palette : chartPaletteTable()) {
+    for (const std::uint32_t rgb : palette.colors) {
+      const ImU32 color = IM_COL32((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255, 255);
+      const ImU32 shown = legibleOn(p.bar, color);
+      EXPECT_GE(contrast(shown, p.bar), 2.95) << std::hex << rgb;
+      const bool enough = contrast(color, p.bar) >= 3;
+      EXPECT_EQ(shown == color, enough) << std::hex << rgb;
     }
   }
 }

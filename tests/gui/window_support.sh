@@ -65,3 +65,14 @@ keys() { # [modifier..] key
 
 shows() { await grep -q "\"$1\"" "$folder/probe.json"; }
 hides() { local i; for i in $(seq 400); do grep -q "\"$1\"" "$folder/probe.json" || return 0; sleep 0.1; done; return 1; }
+
+# Hundredths of a second of processor time that the program has taken.
+ticks() { awk '{ print $14 + $15 }' "/proc/$pid/stat"; }
+# Waits until the program has been quiet for a second, a minute at most.
+settle() {
+  local before after i
+  for i in $(seq 60); do
+    before=$(ticks); sleep 1; after=$(ticks)
+    [ $((after - before)) -le 2 ] && return
+  done
+}

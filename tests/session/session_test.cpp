@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/session/pipeline.h"
 #include "core/session/session.h"
 #include "tests/support/segmentation_checks.h"
 #include "tests/support/test_meshes.h"
@@ -249,6 +250,40 @@ TEST(SessionThreaded, ReadersFollowTheGrowingLog) {
   EXPECT_EQ(session.results()->record->size(), session.results()->mesh->faceCount());
   EXPECT_GT(wakes.load(), 0);
   session.setWake(nullptr);
+}
+
+TEST(SessionThreaded, StoppedAtTheVeryEndLaysNothingFlat) {
+  Session session(Session::Worker::Threaded);
+  static Session* stopped = nullptr;
+  stopped = &session;
+  session.setAutoUnwrap(true);
+  session.openSample("bumps", 2000);
+  session.waitIdle();
+  // Called by the worker between the last labels and what would follow them.
+  session.setWake([] {
+    if (stopped->results()->finished) stopped->stop();
+  });
+  session.step(StepUnit::Converged);
+  session.waitIdle();
+  EXPECT_TRUE(session.results()->finished);
+  EXPECT_FALSE(session.results()->flat);
+  session.setWake(nullptr);
+  session.unwrap();
+  session.waitIdle();
+  EXPECT_TRUE(session.results()->flat);
+}
+
+TEST(Pipeline, AStepThatIsStoppedAtOncePlacesNoSeeds) {
+  Pipeline pipeline({[](const FloodStart&) {}, [](Notice) {}});
+  Progress go, stopped;
+  pipeline.setMesh(test::sampleMesh("bumps", 2000), 0, go);
+  stopped.cancel();
+  EXPECT_EQ(pipeline.step(StepUnit::Converged, 1, stopped), StepOutcome::Cancelled);
+  Results results;
+  pipeline.measure();
+  pipeline.report(results);
+  EXPECT_FALSE(results.segmentation);
+  EXPECT_EQ(pipeline.step(StepUnit::Flood, 1, go), StepOutcome::Advanced);
 }
 
 TEST(SessionThreaded, NewestChangeWins) {

@@ -82,7 +82,7 @@ void chartCountPlot(const Ui& ui, float height) {
   }
   const double limit = ui.state.document().parameters.maxStretch;
   if (limit < axis.high) levelLine(ui, area, axis.y(area, limit));
-  curve(ui, seams, legible(ui, ui.theme.palette.warning), set->chosen);
+  curve(ui, seams, legibleOn(ui.theme.palette.bar, ui.theme.palette.warning), set->chosen);
   curve(ui, stretch, ui.theme.palette.accent, set->chosen);
   if (under < runs.size()) {
     ImDrawList& list = *ImGui::GetWindowDrawList();

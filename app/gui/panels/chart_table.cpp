@@ -1,6 +1,7 @@
 // Figures of each chart, sortable by column; a click selects the chart.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 #include <string>
@@ -21,9 +22,15 @@ struct Figures {
   const ChartSet* charts = nullptr;
   const Unwrap* unwrap = nullptr;
 
-  bool whole = false;  ///< figures of borders are known: the finished charts are shown
+  bool whole = false;    ///< figures of borders are known: the finished charts are shown
+  int borderDigits = 2;  ///< behind the point, so that the longest border has three in all
 
   explicit Figures(const AppState& state) : stats(*state.shownStats()), whole(state.showsFinal()) {
+    double longest = 0;
+    for (const ChartFigures& chart : stats.charts) longest = std::max(longest, chart.perimeter);
+    if (longest > 0) {
+      borderDigits = static_cast<int>(std::clamp(2 - std::floor(std::log10(longest)), 0.0, 9.0));
+    }
     const Results& results = state.results();
     if (!results.flat || !whole) return;
     charts = results.charts.get();
@@ -72,14 +79,18 @@ std::vector<std::size_t> sortedCharts(const Figures& figures) {
   return order;
 }
 
-/// A number at the right edge of its cell.
-void rightText(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
+/// Words at the right edge of their cell.
+void rightText(const char* text) {
   const float width = ImGui::CalcTextSize(text).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
                        std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
   ImGui::TextUnformatted(text);
+}
+
+void rightText(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  rightText(text);
 }
 
 void tableRow(const Ui& ui, const Figures& all, std::size_t chart) {
@@ -103,7 +114,11 @@ void tableRow(const Ui& ui, const Figures& all, std::size_t chart) {
   ImGui::TableNextColumn();
   rightText("%.0f %%", stats.balanceDefined ? 100 * figures.gaussArea / stats.gaussMean : 0);
   ImGui::TableNextColumn();
-  if (all.whole) rightText("%.3g", figures.perimeter);
+  if (all.whole) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", all.borderDigits, figures.perimeter);
+    rightText(text);
+  }
   ImGui::TableNextColumn();
   if (const double stretch = all.stretch(chart); stretch > 0) rightText("%.3f", stretch);
   ImGui::TableNextColumn();

@@ -200,20 +200,26 @@ void levelLine(const Ui& ui, const PlotArea& area, float y) {
   }
 }
 
-ImU32 legible(const Ui& ui, ImU32 color) {
-  const double ground = luminance(ImGui::ColorConvertU32ToFloat4(ui.theme.palette.bar));
+ImU32 legibleOn(ImU32 groundColor, ImU32 color) {
+  const double ground = luminance(ImGui::ColorConvertU32ToFloat4(groundColor));
+  const float end = ground < 0.2 ? 1 : 0;  // lighter on dark grounds, darker on light ones
   ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
-  for (int i = 0; i < 20 && (luminance(c) + 0.05) / (ground + 0.05) < kLeastContrast; ++i) {
-    c.x += 0.06f * (1 - c.x);
-    c.y += 0.06f * (1 - c.y);
-    c.z += 0.06f * (1 - c.z);
+  const auto contrast = [&] {
+    const double own = luminance(c);
+    return (std::max(own, ground) + 0.05) / (std::min(own, ground) + 0.05);
+  };
+  for (int i = 0; i < 20 && contrast() < kLeastContrast; ++i) {
+    c.x += 0.06f * (end - c.x);
+    c.y += 0.06f * (end - c.y);
+    c.z += 0.06f * (end - c.z);
   }
   return ImGui::ColorConvertFloat4ToU32(c);
 }
 
 ImU32 chartColor(const Ui& ui, Index chart) {
   const std::vector<ImU32>& colors = ui.memory.chartColors;
-  return chart < colors.size() ? legible(ui, colors[chart]) : ui.theme.palette.accent;
+  return chart < colors.size() ? legibleOn(ui.theme.palette.bar, colors[chart])
+                               : ui.theme.palette.accent;
 }
 
 std::vector<Index> barOrder(const std::vector<double>& values, bool byValue) {

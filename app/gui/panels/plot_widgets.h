@@ -56,10 +56,11 @@ void bottomTicks(const Ui& ui, const PlotArea& area, const std::vector<PlotTick>
 /// A dashed line over the whole width at a value.
 void levelLine(const Ui& ui, const PlotArea& area, float y);
 
-/// A chart's colour, made lighter where it could not be told from the ground of plots.
+/// A chart's colour, made lighter or darker where it could not be told from the ground of plots.
 ImU32 chartColor(const Ui& ui, Index chart);
-/// A colour that differs from the ground by a contrast of at least 3.
-ImU32 legible(const Ui& ui, ImU32 color);
+/// The nearest colour that differs from a ground by a contrast of at least 3 (WCAG 2.1, 1.4.11):
+/// lighter on dark grounds, darker on light ones.
+ImU32 legibleOn(ImU32 ground, ImU32 color);
 
 /// One bar a chart.
 struct ChartBars {

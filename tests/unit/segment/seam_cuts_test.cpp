@@ -1,6 +1,8 @@
 // Minimum cuts between charts: core/segment/max_flow, pair_cut, seam_cuts.
 
+#include <chrono>
 #include <limits>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -182,6 +184,20 @@ TEST(SeamCuts, TeethBecomeAStraightLine) {
   EXPECT_EQ(seam(cuts.labels()), n);
 }
 
+TEST(SeamCuts, StoppedBeforeItBeginsCutsNothing) {
+  const SeamFlooded f(test::sampleMesh("bumps", 2000), 6);
+  SeamCuts cuts = f.cuts({});
+  const std::vector<Index> before(cuts.labels().begin(), cuts.labels().end());
+  Progress stopped;
+  stopped.cancel();
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(cuts.run(stopped));
+  EXPECT_TRUE(cuts.record().steps.empty());
+  EXPECT_EQ(std::vector<Index>(cuts.labels().begin(), cuts.labels().end()), before);
+  Progress go;
+  EXPECT_TRUE(cuts.run(go));
+  EXPECT_FALSE(cuts.record().steps.empty());
+}
+
 TEST(SeamCuts, AnyThreadsAndCancelledRunsGiveTheSame) {
   const SeamFlooded f(test::sampleMesh("bumps", 20000), 24);
   const auto labels = [&](unsigned threads, bool stop) {
@@ -190,14 +206,18 @@ TEST(SeamCuts, AnyThreadsAndCancelledRunsGiveTheSame) {
     Progress go;
     if (!stop) {
       cuts.run(go);
-    } else {  // one batch at a time
-      std::size_t stops = 0;
-      for (bool done = false; !done && stops < 100000; ++stops) {
+    } else {  // stopped anywhere, over and over, and gone on with
+      int stops = 0;
+      for (bool done = false; !done && stops < 10000; ++stops) {
         Progress once;
-        once.cancel();
+        std::thread hand([&] {
+          std::this_thread::sleep_for(std::chrono::microseconds(300) * stops);
+          once.cancel();
+        });
         done = cuts.run(once);
+        hand.join();
       }
-      EXPECT_GT(stops, 10u);
+      EXPECT_GT(stops, 3);
     }
     setThreadCount(0);
     return std::vector<Index>(cuts.labels().begin(), cuts.labels().end());
