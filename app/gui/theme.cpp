@@ -136,9 +136,9 @@ void setColors(ImGuiStyle& style, const Palette& p) {
   set(ImGuiCol_TextSelectedBg, p.accentSoft);
   set(ImGuiCol_TitleBg, p.bar);
   set(ImGuiCol_TitleBgActive, p.bar);
-  // Where grounds hardly differ, controls have edges.
+  // Where grounds hardly differ, controls and what floats over the views have edges.
   const bool edges = &p == &kHighContrast;
-  style.FrameBorderSize = style.TabBorderSize = edges ? 1.0f : 0.0f;
+  style.FrameBorderSize = style.TabBorderSize = style.WindowBorderSize = edges ? 1.0f : 0.0f;
   if (edges) set(ImGuiCol_ScrollbarGrab, p.line);
 }
 
@@ -150,7 +150,6 @@ void setSizes(ImGuiStyle& style, float scale) {
   style.IndentSpacing = 14;
   style.ScrollbarSize = 11;
   style.GrabMinSize = 10;
-  style.WindowBorderSize = 0;
   style.ChildBorderSize = 0;
   style.PopupBorderSize = 1;
   style.WindowRounding = 0;

@@ -30,7 +30,7 @@ fi
 program=$2 folder=$3
 
 shot() { # name
-  settle # software drivers draw for a while
+  if [ "$1" = flood ]; then sleep 0.7; else settle; fi # software drivers draw for a while
   if [ -n "$PICTURES_FOLDER" ]; then
     import -window root "$PICTURES_FOLDER/$PICTURES_SIZE-$PICTURES_THEME-$1.png"
   else

@@ -20,17 +20,19 @@ constexpr double kFar = 1.3;  // energy from which reweighted steps are better
 
 class Descent {
  public:
-  Descent(const ChartShape& shape, const IsometricOptions& options, std::vector<glm::dvec2>& uv)
-      : shape_(shape), guard_(options.guardBoundary), fix_(options.fixBoundary), uv_(uv),
-        system_(shape.pattern), hold_(uv.size(), kProximal), gradient_(uv.size()),
-        direction_(uv.size()), trial_(uv.size()), energy_(isometricEnergy(shape.rest, uv)) {}
+  Descent(const ChartShape& shape, const IsometricOptions& options, const Progress& progress,
+          std::vector<glm::dvec2>& uv)
+      : shape_(shape), progress_(progress), guard_(options.guardBoundary),
+        fix_(options.fixBoundary), uv_(uv), system_(shape.pattern), hold_(uv.size(), kProximal),
+        gradient_(uv.size()), direction_(uv.size()), trial_(uv.size()),
+        energy_(isometricEnergy(shape.rest, uv)) {}
 
   double energy() const { return energy_; }
 
-  /// False when no step lowers the energy.
+  /// False when no step lowers the energy, or when it was stopped on the way.
   bool step(StepModel model) {
     for (int attempt = 0;; ++attempt) {
-      if (!solve(model)) return false;
+      if (!solve(model) || progress_.cancelled()) return false;
       double length = std::min(1.0, kSafeShare * largestStep(shape_.rest, uv_, direction_));
       if (guard_ && attempt < kHoldBacks) {
         move(length);
@@ -48,6 +50,7 @@ class Descent {
     system_.clear();
     std::fill(gradient_.begin(), gradient_.end(), glm::dvec2(0));
     addIsometricModel(shape_.rest, uv_, model, system_, gradient_);
+    if (progress_.cancelled()) return false;
     for (Index v = 0; v < uv_.size(); ++v) system_.addDiagonal(v, glm::dmat2(hold_[v]));
     if (fix_) {
       system_.fix(shape_.onBoundary);
@@ -60,6 +63,8 @@ class Descent {
       system_.damp(damping);
       damping *= 100;
     }
+    // Each of these takes tens of milliseconds on the largest charts.
+    if (progress_.cancelled()) return false;
     for (std::size_t v = 0; v < uv_.size(); ++v) direction_[v] = -gradient_[v];
     system_.solve(direction_);
     return true;
@@ -85,7 +90,7 @@ class Descent {
       slope += gradient_[v].x * direction_[v].x + gradient_[v].y * direction_[v].y;
     }
     if (!(slope < 0)) return false;
-    for (int halving = 0; halving < kHalvings; ++halving, length *= 0.5) {
+    for (int halving = 0; halving < kHalvings && !progress_.cancelled(); ++halving, length *= 0.5) {
       move(length);
       const double energy = isometricEnergy(shape_.rest, trial_);
       if (!(energy < energy_ + 1e-4 * length * slope)) continue;
@@ -99,6 +104,7 @@ class Descent {
   }
 
   const ChartShape& shape_;
+  const Progress& progress_;
   bool guard_, fix_;
   std::vector<glm::dvec2>& uv_;
   SparseLdl<glm::dmat2> system_;
@@ -112,7 +118,7 @@ class Descent {
 
 double minimiseIsometric(const ChartShape& shape, const IsometricOptions& options,
                          const Progress& progress, std::vector<glm::dvec2>& uv) {
-  Descent descent(shape, options, uv);
+  Descent descent(shape, options, progress, uv);
   // Reweighted steps as long as each takes half of the way to an isometry.
   StepModel model = descent.energy() > kFar ? StepModel::Reweighted : StepModel::Newton;
   for (int step = 0; step < options.steps && !progress.cancelled(); ++step) {

@@ -96,6 +96,7 @@ TEST(HighContrast, ControlsAndPanelsHaveEdgesThatCanBeSeen) {
   ui.state().perform(ui.actions(), "theme high-contrast");
   ui.frames(2);
   EXPECT_GE(ImGui::GetStyle().FrameBorderSize, 1);
+  EXPECT_GE(ImGui::GetStyle().WindowBorderSize, 1);
   const Palette& p = themePalette(ThemeKind::HighContrast);
   for (const ImU32 ground : {p.ground, p.panel, p.bar, p.popup, p.control}) {
     EXPECT_GE(contrast(p.line, ground), 3) << std::hex << ground;  // WCAG 2.1, 1.4.11
