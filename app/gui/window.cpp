@@ -14,6 +14,7 @@
 #include <imgui.h>
 
 #include "app/gui/compare_scene.h"
+#include "app/gui/glfw_window.h"
 #include "app/gui/imgui_gl.h"
 #include "app/gui/key_names.h"
 #include "app/gui/picture_preview.h"
@@ -21,7 +22,6 @@
 #include "app/gui/scene_view.h"
 #include "app/gui/uv_view.h"
 #include "app/host/command.h"
-#include "core/base/error.h"
 
 namespace chartflood {
 
@@ -30,7 +30,6 @@ namespace {
 constexpr double kFrameSeconds = 1.0 / 60;
 constexpr double kPassWithPicture = 0.024;  // longer passes leave the 3D view for the next
 constexpr int kSettlingFrames = 3;          // Dear ImGui needs some frames to answer an event
-constexpr int kLeastWidth = 640, kLeastHeight = 480;
 
 std::atomic<bool> wokenByWorker{false};
 
@@ -43,75 +42,6 @@ void wakeWindow() {
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-
-std::string glfwProblem() {
-  const char* text = nullptr;
-  glfwGetError(&text);
-  return text == nullptr ? "no reason given" : text;
-}
-
-/// GLFW for as long as it lives.
-class Glfw {
- public:
-  Glfw() {
-    if (glfwInit() == GLFW_TRUE) return;
-    throw Error("No window can be opened (" + glfwProblem() +
-                "). Without a display use --output=picture.png.");
-  }
-  ~Glfw() { glfwTerminate(); }
-  Glfw(const Glfw&) = delete;
-  Glfw& operator=(const Glfw&) = delete;
-};
-
-struct DestroyWindow {
-  void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
-};
-using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
-
-WindowHandle openWindow(int width, int height) {
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  glfwWindowHint(GLFW_DEPTH_BITS, 0);
-  glfwWindowHint(GLFW_STENCIL_BITS, 0);
-  glfwWindowHintString(GLFW_X11_CLASS_NAME, "chartflood");
-  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
-    int x = 0, y = 0, mostWidth = width, mostHeight = height;
-    glfwGetMonitorWorkarea(monitor, &x, &y, &mostWidth, &mostHeight);
-    width = std::min(width, mostWidth);
-    height = std::min(height, mostHeight);
-  }
-  WindowHandle window(glfwCreateWindow(width, height, "chartflood", nullptr, nullptr));
-  if (!window) {
-    throw Error("The window needs OpenGL 3.3, which is not there (" + glfwProblem() +
-                "). Use --output=picture.png to work without a window.");
-  }
-  glfwSetWindowSizeLimits(window.get(), kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
-  glfwMakeContextCurrent(window.get());
-  glfwSwapInterval(1);
-  return window;
-}
-
-/// Dear ImGui with the window's input, for as long as it lives.
-class Imgui {
- public:
-  explicit Imgui(GLFWwindow* window) {
-    IMGUI_CHECKVERSION();
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    io.ConfigWindowsMoveFromTitleBarOnly = true;
-    ImGui_ImplGlfw_InitForOther(window, true);
-  }
-  ~Imgui() {
-    ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
-  }
-  Imgui(const Imgui&) = delete;
-  Imgui& operator=(const Imgui&) = delete;
-};
 
 /// Seconds that a pass of the loop took, and its parts; the rest is answering requests.
 struct PassTimes {

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
-
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "app/host/checker_picture.h"
 #include "app/host/session_legend.h"
+#include "app/host/session_view_rows.h"
 #include "core/base/error.h"
 #include "render/chart_palette.h"
 #include "render/color_map.h"
@@ -18,40 +15,8 @@ namespace chartflood {
 
 namespace {
 
-using Numbers = std::vector<double>;
-
-/// The limits of the checkerboard's action.
-
-/// One named setting: how it is read off and set. `set` says whether the value could be used.
-struct ViewRow {
-  const char* name;
-  std::function<SessionValue(const ViewSettings&)> get;
-  std::function<bool(ViewSettings&, const SessionValue&)> set;
-  std::function<bool(const ViewSettings&)> present = {};  ///< none: always
-};
-
-/// A switch in a part of the settings.
-template <typename Part>
-ViewRow switchRow(const char* name, Part ViewSettings::*part, bool Part::*member) {
-  return {name, [=](const ViewSettings& view) { return SessionValue(view.*part.*member); },
-          [=](ViewSettings& view, const SessionValue& value) {
-            const bool* on = std::get_if<bool>(&value);
-            if (on != nullptr) view.*part.*member = *on;
-            return on != nullptr;
-          }};
-}
-
 ViewRow switchRow(const char* name, bool RenderSettings::*member) {
-  return switchRow(name, &ViewSettings::render, member);
-}
-
-/// The numbers of a value when there are `count` finite ones, else null.
-const Numbers* numbers(const SessionValue& value, std::size_t count) {
-  const Numbers* list = std::get_if<Numbers>(&value);
-  if (list == nullptr || list->size() != count) return nullptr;
-  const bool finite =
-      std::all_of(list->begin(), list->end(), [](double x) { return std::isfinite(x); });
-  return finite ? list : nullptr;
+  return viewSwitch(name, &ViewSettings::render, member);
 }
 
 std::vector<ViewRow> overlayRows() {
@@ -85,7 +50,7 @@ bool readColorMap(ViewSettings& view, const SessionValue& value) {
 }
 
 bool readRange(ViewSettings& view, const SessionValue& value) {
-  const Numbers* ends = numbers(value, 2);
+  const Numbers* ends = viewNumbers(value, 2);
   if (ends == nullptr || !((*ends)[0] < (*ends)[1])) return false;
   view.render.range = {(*ends)[0], (*ends)[1]};
   return true;
@@ -108,7 +73,7 @@ SessionValue groundOf(const ViewSettings& view) {
 }
 
 bool readGround(ViewSettings& view, const SessionValue& value) {
-  const Numbers* n = numbers(value, 7);
+  const Numbers* n = viewNumbers(value, 7);
   const auto isShare = [](double x) { return x >= 0 && x <= 1; };
   if (n == nullptr || !std::all_of(n->begin(), n->end(), isShare)) return false;
   view.render.background = {glm::vec3((*n)[0], (*n)[1], (*n)[2]),
@@ -171,67 +136,6 @@ std::vector<ViewRow> colorRows() {
            [](const ViewSettings& view) { return !view.chartColors.empty(); }}};
 }
 
-/// Degrees that give the angle again, to the last bit.
-double exactDegrees(double angle) {
-  double degrees = glm::degrees(angle);
-  for (const double toward : {0.0, 360.0}) {
-    double near = degrees;
-    for (int step = 0; step < 4 && glm::radians(near) != angle; ++step) {
-      near = std::nextafter(near, toward);
-    }
-    if (glm::radians(near) == angle) return near;
-  }
-  return degrees;
-}
-
-/// Target, orientation (w, x, y, z), distance, field of view (degrees), in this order.
-SessionValue cameraOf(const ViewSettings& view) {
-  const Camera& c = view.camera;
-  return Numbers{c.target.x,      c.target.y,      c.target.z,
-                 c.orientation.w, c.orientation.x, c.orientation.y,
-                 c.orientation.z, c.distance,      exactDegrees(c.fieldOfView)};
-}
-
-bool readCamera(ViewSettings& view, const SessionValue& value) {
-  const Numbers* n = numbers(value, 9);
-  if (n == nullptr) return false;
-  const glm::dquat turn((*n)[3], (*n)[4], (*n)[5], (*n)[6]);
-  const double length = glm::length(turn), distance = (*n)[7], angle = (*n)[8];
-  // Normalised units: beyond these nothing of the model could be seen.
-  const bool sane = length > 1e-3 && length < 1e3 && distance > 1e-9 && distance < 1e6 &&
-                    angle >= 1 && angle <= 170;
-  if (!sane) return false;
-  view.camera.target = {(*n)[0], (*n)[1], (*n)[2]};
-  // Written with all digits: a turn of unit length is taken as it is.
-  view.camera.orientation = std::abs(length - 1) < 1e-12 ? turn : glm::normalize(turn);
-  view.camera.distance = distance;
-  view.camera.fieldOfView = glm::radians(angle);
-  view.frameWhenLoaded = false;
-  return true;
-}
-
-std::vector<ViewRow> cameraRows() {
-  return {{"camera", cameraOf, readCamera,
-           [](const ViewSettings& view) { return !view.frameWhenLoaded; }},
-          {"camera-orthographic",
-           [](const ViewSettings& view) { return SessionValue(view.camera.orthographic); },
-           [](ViewSettings& view, const SessionValue& value) {
-             const bool* on = std::get_if<bool>(&value);
-             if (on != nullptr) view.camera.orthographic = *on;
-             return on != nullptr;
-           }},
-          {"up",
-           [](const ViewSettings& view) {
-             return SessionValue(std::string(view.camera.up == UpAxis::Z ? "+Z" : "+Y"));
-           },
-           [](ViewSettings& view, const SessionValue& value) {
-             const std::string* axis = std::get_if<std::string>(&value);
-             if (axis == nullptr || (*axis != "+Y" && *axis != "+Z")) return false;
-             view.camera.up = *axis == "+Z" ? UpAxis::Z : UpAxis::Y;
-             return true;
-           }}};
-}
-
 ViewRow shareRow(const char* name, float RenderSettings::*member, double low, double high) {
   return {name, [=](const ViewSettings& view) { return SessionValue(double{view.render.*member}); },
           [=](ViewSettings& view, const SessionValue& value) {
@@ -282,60 +186,10 @@ std::vector<ViewRow> checkerRows() {
           switchRow("checker-in-texture", &RenderSettings::checkerInTexture)};
 }
 
-/// Middle (u, v) and span.
-SessionValue uvCameraOf(const ViewSettings& view) {
-  const UvCamera& c = view.uvCamera;
-  return Numbers{c.center.x, c.center.y, c.span};
-}
-
-bool readUvCamera(ViewSettings& view, const SessionValue& value) {
-  const Numbers* n = numbers(value, 3);
-  if (n == nullptr) return false;
-  const double u = (*n)[0], v = (*n)[1], span = (*n)[2];
-  const bool sane = std::abs(u) < UvCamera::kMostSpan && std::abs(v) < UvCamera::kMostSpan &&
-                    span >= UvCamera::kLeastSpan && span <= UvCamera::kMostSpan;
-  if (sane) view.uvCamera = {{u, v}, span};
-  return sane;
-}
-
-std::vector<ViewRow> uvRows() {
-  return {switchRow("uv-fill", &ViewSettings::uv, &UvStyle::fill),
-          switchRow("uv-frame", &ViewSettings::uv, &UvStyle::frame),
-          {"uv-camera", uvCameraOf, readUvCamera}};
-}
-
-/// Orientation (w, x, y, z) of the Gauss sphere where it does not turn with the model.
-SessionValue sphereTurnOf(const ViewSettings& view) {
-  const glm::dquat& turn = view.sphereCamera.orientation;
-  return Numbers{turn.w, turn.x, turn.y, turn.z};
-}
-
-bool readSphereTurn(ViewSettings& view, const SessionValue& value) {
-  const Numbers* n = numbers(value, 4);
-  if (n == nullptr) return false;
-  const glm::dquat turn((*n)[0], (*n)[1], (*n)[2], (*n)[3]);
-  const double length = glm::length(turn);
-  if (length < 1e-3 || length > 1e3) return false;
-  view.sphereCamera.orientation = std::abs(length - 1) < 1e-12 ? turn : glm::normalize(turn);
-  return true;
-}
-
-std::vector<ViewRow> sphereRows() {
-  const auto linked = [](const ViewSettings& view) { return SessionValue(view.sphereLinked); };
-  const auto link = [](ViewSettings& view, const SessionValue& value) {
-    const bool* on = std::get_if<bool>(&value);
-    if (on != nullptr) view.sphereLinked = *on;
-    return on != nullptr;
-  };
-  return {{"sphere-linked", linked, link},
-          {"sphere-turn", sphereTurnOf, readSphereTurn,
-           [](const ViewSettings& view) { return !view.sphereLinked; }}};
-}
-
 std::vector<ViewRow> viewRows() {
   std::vector<ViewRow> rows;
   for (const std::vector<ViewRow>& part :
-       {colorRows(), overlayRows(), checkerRows(), cameraRows(), uvRows(), sphereRows()}) {
+       {colorRows(), overlayRows(), checkerRows(), cameraRows()}) {
     rows.insert(rows.end(), part.begin(), part.end());
   }
   return rows;

@@ -238,11 +238,12 @@ void pictureDialog(const Ui& ui, PreviewSource* previews) {
                           {0.5f, 0.5f});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(12)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   bool open = true;
   const bool shown = ImGui::Begin(kPictureDialog, &open,
                                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_NoSavedSettings);
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   if (shown) {
     const PictureSettings& settings = ui.state.preferences.picture;
     const PictureExtent extent = wantedExtent(ui.state, settings);
