@@ -188,6 +188,7 @@ void previewBox(const Ui& ui, PreviewSource* previews, const PictureExtent& exte
     list.AddImage(part.texture, {low.x + part.left * size.x, low.y},
                   {low.x + part.right * size.x, high.y}, {part.from, 1}, {part.to, 0});
   }
+  list.AddRect({low.x - 1, low.y - 1}, {high.x + 1, high.y + 1}, ui.theme.palette.line);
   if (!previews->upToDate()) ui.wakeIn(0.05);
 }
 
