@@ -88,8 +88,8 @@ class NodeStore {
         Node& there = nodes_[way.face];
         const float arrival = time + way.delay;
         // Most nodes are offered to one chart only, which need not hear of later times.
-        const bool late = there.lastChart == chart & there.lastTime <= arrival;
-        const bool news = there.label == kNone & !late;
+        const bool late = (there.lastChart == chart) & (there.lastTime <= arrival);
+        const bool news = (there.label == kNone) & !late;
         offers[count] = {way.face, arrival};
         count += news ? 1 : 0;
       }

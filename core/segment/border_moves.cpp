@@ -3,26 +3,33 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
-#include "core/flood/build_flood_graph.h"
+#include "core/base/parallel.h"
 #include "core/segment/chart_areas.h"
 
 namespace chartflood {
 
 namespace {
 
+constexpr std::size_t kBlock = 1 << 14;  // faces or triangles; whole words of the active set
+
 /// Mean length of the edges, 0 without any.
 double meanEdgeLength(const Mesh& mesh) {
   const auto positions = mesh.positions();
-  double sum = 0;
-  for (Index s = 0; s < 3 * mesh.triangleCount(); ++s) {
-    if (mesh.edgeOfSide(s) != s) continue;
-    sum += glm::length(positions[mesh.sideStart(s)] - positions[mesh.sideEnd(s)]);
-  }
-  return sum / static_cast<double>(mesh.edgeCount());
+  std::vector<double> sums((mesh.triangleCount() + kBlock - 1) / kBlock, 0);
+  parallelBlocks(mesh.triangleCount(), kBlock, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (Index s = static_cast<Index>(3 * begin); s < 3 * end; ++s) {
+      if (mesh.edgeOfSide(s) != s) continue;
+      sum += glm::length(positions[mesh.sideStart(s)] - positions[mesh.sideEnd(s)]);
+    }
+    sums[begin / kBlock] = sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(mesh.edgeCount());
 }
 
 }  // namespace
@@ -33,9 +40,18 @@ struct BorderMoves::Tables {
   const GaussArea& gauss;
   const Options options;
   double meanLength;
+  std::span<const double> faceGauss;
   std::vector<double> vertexGauss;  ///< empty when no vertex has Gauss area
-  std::vector<double> faceValue;    ///< Gauss area plus eta times area
 
+  double faceArea(Index face) const {
+    double area = 0;
+    for (Index t = mesh.triangleBegin(face); t < mesh.triangleBegin(face + 1); ++t) {
+      area += mesh.triangleArea()[t];
+    }
+    return area;
+  }
+  /// Gauss area plus eta times area.
+  double faceValue(Index face) const { return faceGauss[face] + options.eta * faceArea(face); }
   /// Entry of the side's edge among the sharp ones, kNone for others.
   Index sharpEdge(Index side) const {
     const Index edge = mesh.edgeOfSide(side);
@@ -122,14 +138,9 @@ BorderMoves::BorderMoves(const Mesh& mesh, const GaussArea& gauss,
                          std::span<const double> faceGauss, std::vector<Index> label,
                          std::size_t charts, std::span<const Index> seeds, const Options& options)
     : mesh_(mesh), label_(std::move(label)), fixed_(mesh.faceCount(), false),
-      sweepsLeft_(options.maxSweeps), active_((mesh.faceCount() + 63) / 64, ~std::uint64_t{0}) {
+      sweepsLeft_(options.maxSweeps), active_((mesh.faceCount() + 63) / 64, 0) {
   auto tables =
-      std::make_unique<Tables>(Tables{mesh, gauss, options, meanEdgeLength(mesh), {}, {}});
-  const std::vector<double> area = faceAreas(mesh);
-  tables->faceValue.resize(mesh.faceCount());
-  for (std::size_t f = 0; f < area.size(); ++f) {
-    tables->faceValue[f] = faceGauss[f] + options.eta * area[f];
-  }
+      std::make_unique<Tables>(Tables{mesh, gauss, options, meanEdgeLength(mesh), faceGauss, {}});
   if (!gauss.corners.empty()) {
     tables->vertexGauss.assign(mesh.vertexCount(), 0);
     for (std::size_t i = 0; i < gauss.corners.size(); ++i) {
@@ -139,13 +150,30 @@ BorderMoves::BorderMoves(const Mesh& mesh, const GaussArea& gauss,
   tables_ = std::move(tables);
   for (const Index seed : seeds) fixed_[seed] = true;
   value_ = chartAreas(mesh, gauss, faceGauss, label_, charts).gaussArea;
-  for (Index f = 0; f < label_.size(); ++f) value_[label_[f]] += options.eta * area[f];
+  for (Index f = 0; f < label_.size(); ++f) value_[label_[f]] += options.eta * tables_->faceArea(f);
   for (const double v : value_) {
     sum_ += v;
     squares_ += v * v;
   }
   const double faces = static_cast<double>(mesh.faceCount());
   weight_ = options.weight * std::sqrt(faces / 70000) * static_cast<double>(value_.size());
+  findBorders();
+}
+
+/// Only faces at borders can move; moves put their neighbours in later.
+void BorderMoves::findBorders() {
+  const auto opposite = mesh_.opposite();
+  parallelBlocks(mesh_.faceCount(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (Index f = static_cast<Index>(begin); f < end; ++f) {
+      const Index last = 3 * mesh_.triangleBegin(f + 1);
+      bool border = false;
+      for (Index s = 3 * mesh_.triangleBegin(f); s < last; ++s) {
+        border =
+            border || (opposite[s] != kNone && label_[mesh_.faceOf(opposite[s] / 3)] != label_[f]);
+      }
+      if (border) activate(f);
+    }
+  });
 }
 
 BorderMoves::~BorderMoves() = default;
@@ -215,7 +243,7 @@ bool BorderMoves::findMove(Index face, Move& move) {
   if (inside == 0 || to == kNone || changes != 2) return false;
 
   move.to = to;
-  move.loss = move.gain = tables_->faceValue[face];
+  move.loss = move.gain = tables_->faceValue(face);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Index side = sides_[i], next = sides_[i + 1 == sides_.size() ? 0 : i + 1];
     const bool stays = across(side) == from;

@@ -51,6 +51,7 @@ class BorderMoves {
   struct Tables;
   struct Move;
 
+  void findBorders();
   bool findMove(Index face, Move& move);
   double balanceEnergy(double sum, double squares) const;
   void apply(Index face, const Move& move);

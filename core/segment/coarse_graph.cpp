@@ -13,7 +13,9 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kClusters = 8000;         // at least, where there are faces enough
+constexpr std::size_t kFewClusters = 5000;      // at least, where there are faces enough
+constexpr std::size_t kManyClusters = 8000;     // at least, on meshes that make them coarse
+constexpr std::size_t kCoarseCluster = 128;     // faces of a cluster that is coarse
 constexpr std::size_t kClustersPerChart = 200;  // fewer than 150 cost balance
 constexpr std::size_t kSmallestCluster = 4, kLargestCluster = 256;  // faces a cluster
 
@@ -116,7 +118,8 @@ struct NodeDual {
 }  // namespace
 
 std::size_t coarseClusterSize(std::size_t faces, std::size_t charts) {
-  return std::clamp(faces / std::max(kClusters, kClustersPerChart * charts), kSmallestCluster,
+  const std::size_t least = std::clamp(faces / kCoarseCluster, kFewClusters, kManyClusters);
+  return std::clamp(faces / std::max(least, kClustersPerChart * charts), kSmallestCluster,
                     kLargestCluster);
 }
 

@@ -15,6 +15,7 @@ namespace chartflood {
 namespace {
 
 constexpr std::size_t kSeamBlock = 1 << 14;
+constexpr std::size_t kAhead = 16;  // faces between fetching and use
 
 /// Says which faces stay.
 class BandFinder {
@@ -77,22 +78,26 @@ class BandFinder {
     part_.assign(label_.size(), kNone);
     chosen_.assign(seeds.size(), kNone);
     std::vector<std::size_t> size(seeds.size(), 0);
-    std::vector<Index> queue;
+    std::vector<Index> queue(label_.size());
     Index parts = 0;
     for (Index start = 0; start < label_.size(); ++start) {
       if (free_[start] != 0 || part_[start] != kNone) continue;
       part_[start] = parts;
-      queue.assign(1, start);
-      for (std::size_t i = 0; i < queue.size(); ++i) {
+      queue[0] = start;
+      std::size_t filled = 1;
+      for (std::size_t i = 0; i < filled; ++i) {
+        if (i + kAhead < filled) {
+          __builtin_prefetch(&mesh_.opposite()[3 * mesh_.triangleBegin(queue[i + kAhead])]);
+        }
         forNeighbours(queue[i], [&](Index g) {
           if (free_[g] != 0 || part_[g] != kNone) return;
           part_[g] = parts;
-          queue.push_back(g);
+          queue[filled++] = g;
         });
       }
       const Index chart = label_[start];
-      if (queue.size() > size[chart]) {
-        size[chart] = queue.size();
+      if (filled > size[chart]) {
+        size[chart] = filled;
         chosen_[chart] = parts;
       }
       ++parts;
