@@ -4,6 +4,7 @@
 
 #include "core/base/check.h"
 #include "core/flood/arc_store.h"
+#include "core/flood/band_store.h"
 #include "core/flood/flood_engine.h"
 #include "core/flood/node_store.h"
 #include "core/flood/triangle_store.h"
@@ -27,6 +28,18 @@ double meanDelay(const FloodGraph& graph) {
   return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
+/// With labels as narrow as the number of charts allows.
+template <template <class> class Store>
+std::unique_ptr<Flood> makeNarrow(const FloodGraph& graph, std::size_t charts, double meanDelay) {
+  if (charts <= Store<std::uint8_t>::kMaxCharts) {
+    return std::make_unique<FloodEngine<Store<std::uint8_t>>>(graph, meanDelay);
+  }
+  if (charts <= Store<std::uint16_t>::kMaxCharts) {
+    return std::make_unique<FloodEngine<Store<std::uint16_t>>>(graph, meanDelay);
+  }
+  return std::make_unique<FloodEngine<Store<std::uint32_t>>>(graph, meanDelay);
+}
+
 }  // namespace
 
 std::unique_ptr<Flood> makeFlood(const FloodGraph& graph, std::size_t chartCount, OfferRule rule) {
@@ -35,14 +48,8 @@ std::unique_ptr<Flood> makeFlood(const FloodGraph& graph, std::size_t chartCount
     CF_CHECK(!graph.packed());
     return std::make_unique<FloodEngine<NodeStore>>(graph, mean);
   }
-  if (graph.packed() && chartCount <= TriangleStore<std::uint8_t>::kMaxCharts) {
-    return std::make_unique<FloodEngine<TriangleStore<std::uint8_t>>>(graph, mean);
-  }
-  if (graph.packed() && chartCount <= TriangleStore<std::uint16_t>::kMaxCharts) {
-    return std::make_unique<FloodEngine<TriangleStore<std::uint16_t>>>(graph, mean);
-  }
-  if (graph.packed())
-    return std::make_unique<FloodEngine<TriangleStore<std::uint32_t>>>(graph, mean);
+  if (graph.packed()) return makeNarrow<TriangleStore>(graph, chartCount, mean);
+  if (graph.firstHub != kNone) return makeNarrow<BandStore>(graph, chartCount, mean);
   return std::make_unique<FloodEngine<ArcStore>>(graph, mean);
 }
 

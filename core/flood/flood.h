@@ -18,7 +18,8 @@ namespace chartflood {
 struct FloodCounts {
   std::uint64_t takes = 0;
   std::uint64_t pushes = 0;
-  std::uint64_t pops = 0;  ///< includes faces that another chart had taken
+  std::uint64_t pops = 0;         ///< includes faces that another chart had taken
+  std::uint64_t relaxations = 0;  ///< distances lowered by the last farthestFromBorder()
 };
 
 /// When a face may enter a chart's heap.

@@ -65,7 +65,9 @@ class FloodEngine final : public Flood {
   }
 
   std::vector<Index> farthestFromBorder(std::span<const Index> seeds) override {
-    return center_.find(seeds, meanDelay_);
+    std::vector<Index> centers = center_.find(seeds, meanDelay_);
+    counts_.relaxations = center_.relaxations();
+    return centers;
   }
 
  private:

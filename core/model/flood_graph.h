@@ -63,6 +63,9 @@ struct FloodGraph {
   std::vector<Index> cornerBegin;  ///< faceCount + 1 entries into `corners`
   std::vector<FloodCorner> corners;
   std::vector<std::uint8_t> atMeshBorder;  ///< of each face
+  /// Nodes from here on are seeds of every flood; all before have up to three arcs. kNone: no such
+  /// graph.
+  Index firstHub = kNone;
 
   std::vector<float> cornerGain;   ///< Gauss area of each corner
   std::vector<Index> cornerTimes;  ///< how often faces touch it: the size of its fan

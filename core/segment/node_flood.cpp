@@ -11,10 +11,15 @@ namespace chartflood {
 namespace {
 constexpr std::size_t kNodeBurst = 4096;     // faces between two looks at the cancel flag
 constexpr std::size_t kNodeBlock = 1 << 16;  // faces
+
+/// Clusters lie so unevenly that the first way to one is often not the shortest.
+OfferRule ruleFor(const FloodGraph& graph) {
+  return graph.firstHub != kNone ? OfferRule::FirstIncidence : OfferRule::ShortestTimes;
+}
 }  // namespace
 
 NodeFlood::NodeFlood(const Mesh& mesh, const NodeGraph& graph, std::size_t charts)
-    : mesh_(mesh), graph_(graph), flood_(makeFlood(graph.flood, charts, OfferRule::ShortestTimes)),
+    : mesh_(mesh), graph_(graph), flood_(makeFlood(graph.flood, charts, ruleFor(graph.flood))),
       nodeLog_(std::make_shared<FloodRecord>(graph.nodeCount())) {}
 
 void NodeFlood::start(std::span<const Index> seeds, std::span<const double> offsets, bool lookahead,

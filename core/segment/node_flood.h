@@ -11,8 +11,8 @@
 
 namespace chartflood {
 
-/// Floods the nodes of a graph with shortest times and hands out the faces of each node taken, one
-/// by one. Without a log whole floods touch no faces.
+/// Floods the nodes of a graph, clusters with shortest times, and hands out the faces of each node
+/// taken, one by one. Without a log whole floods touch no faces.
 class NodeFlood {
  public:
   /// The graph must outlive the flood and belong to the mesh.

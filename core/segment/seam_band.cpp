@@ -162,6 +162,7 @@ SeamBand makeSeamBand(const NodeGraphSource& source, std::span<const Index> labe
   std::vector<Index> sideOfArc;
   band.nodes =
       buildNodeGraph(source, std::move(nodeOfFace), band.freeFaces + seeds.size(), sideOfArc);
+  if (mesh.facesAreTriangles()) band.nodes.flood.firstHub = static_cast<Index>(band.freeFaces);
   std::vector<FloodArc>& arcs = band.nodes.flood.arcs;
   parallelBlocks(arcs.size(), kSeamBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -2,9 +2,12 @@
 //   build/release/tests/bench_segment
 // `per_face` is what to compare; ratios of one run say more than single figures.
 
+#include <atomic>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -27,6 +30,10 @@
 
 namespace chartflood {
 namespace {
+
+/// How often memory was asked for so far. What a benchmark prepares for itself counts too: a share
+/// of one iteration of many.
+std::atomic<std::uint64_t> allocations{0};
 
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
@@ -132,6 +139,7 @@ void reposition(benchmark::State& state, const std::string& name) {
   flood->advance(kAll, nullptr);
   for (auto _ : state) benchmark::DoNotOptimize(flood->farthestFromBorder(p.seeds));
   perFace(state, p);
+  state.counters["relaxations/face"] = static_cast<double>(flood->counts().relaxations) / p.faces();
 }
 
 void borderMoves(benchmark::State& state, const std::string& name) {
@@ -226,7 +234,7 @@ void seamBand(benchmark::State& state, const std::string& name) {
 void bandRound(benchmark::State& state, const std::string& name) {
   const Prepared& p = prepared(name);
   const SeamBand band = makeSeamBand(nodeSource(p), p.flooded->label, p.flooded->seeds, 16);
-  const auto flood = makeFlood(band.nodes.flood, band.seeds.size(), OfferRule::ShortestTimes);
+  const auto flood = makeFlood(band.nodes.flood, band.seeds.size());
   for (auto _ : state) {
     flood->start(band.seeds, p.offsets, true, nullptr);
     flood->advance(kAll, nullptr);
@@ -284,13 +292,28 @@ void registerAll(const std::string& mesh) {
   for (const auto& [name, stage] : stages) {
     if (stage == seamCuts<false> && mesh == "bumps/1000000") continue;  // takes minutes
     benchmark::RegisterBenchmark((std::string(name) + "/" + mesh).c_str(),
-                                 [stage = stage, mesh](benchmark::State& s) { stage(s, mesh); })
+                                 [stage = stage, mesh](benchmark::State& s) {
+                                   prepared(mesh);
+                                   const std::uint64_t before = allocations;
+                                   stage(s, mesh);
+                                   s.counters["allocations"] =
+                                       benchmark::Counter(static_cast<double>(allocations - before),
+                                                          benchmark::Counter::kAvgIterations);
+                                 })
         ->Unit(benchmark::kMillisecond);
   }
 }
 
 }  // namespace
 }  // namespace chartflood
+
+void* operator new(std::size_t size) {
+  ++chartflood::allocations;
+  if (void* const memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 int main(int argc, char** argv) {
   // One thread unless asked: figures of one thread compare between machines.

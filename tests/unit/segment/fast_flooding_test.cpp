@@ -143,6 +143,41 @@ TEST_P(FastOn, TheBandLeavesOneConnectedRestWithTheSeedOfEachChart) {
   }
 }
 
+TEST_P(FastOn, TheBandIsFloodedAsAnyGraphIs) {
+  const auto stepper = makeTFlooding(in_, fastOptions(7));
+  Progress progress;
+  stepper->advance(StepUnit::Flood, 1, progress);
+  const auto state = stepper->state();
+  for (const std::size_t rings : {1u, 5u, 60u}) {
+    const SeamBand band = makeSeamBand(source(), state->label, state->seeds, rings);
+    const std::size_t charts = band.seeds.size();
+    ASSERT_EQ(band.nodes.flood.firstHub, mesh_->facesAreTriangles() ? band.freeFaces : kNone);
+    FloodGraph plain = band.nodes.flood;
+    plain.firstHub = kNone;
+    std::vector<double> offsets(charts);
+    for (std::size_t c = 0; c < charts; ++c) offsets[c] = 0.01 * static_cast<double>(c % 3);
+    std::vector<Index> expected, label;
+    // Labels of all widths.
+    for (const std::size_t room : {charts, std::size_t{300}, std::size_t{70000}}) {
+      for (const bool lookahead : {true, false}) {
+        const auto flood = makeFlood(band.nodes.flood, room);
+        const auto slow = makeFlood(plain, room);
+        for (int again = 0; again < 2; ++again) {
+          flood->start(band.seeds, offsets, lookahead, nullptr);
+          slow->start(band.seeds, offsets, lookahead, nullptr);
+          flood->advance(mesh_->faceCount(), nullptr);
+          slow->advance(mesh_->faceCount(), nullptr);
+        }
+        EXPECT_TRUE(flood->finished());
+        flood->copyLabels(label);
+        slow->copyLabels(expected);
+        EXPECT_EQ(label, expected);
+        EXPECT_EQ(flood->farthestFromBorder(band.seeds), slow->farthestFromBorder(band.seeds));
+      }
+    }
+  }
+}
+
 TEST_P(FastOn, WithoutALogTheLabelsAreTheSame) {
   SegmentOptions options = fastOptions(8);
   const auto logged = toTheEnd(in_, options);
