@@ -48,47 +48,80 @@ struct NodeSum {
   }
 };
 
+/// Sizes and places of faces. Triangles tell them at once; of polygons they are kept.
+class Faces {
+ public:
+  explicit Faces(const NodeGraphSource& source) : mesh_(source.mesh), flood_(source.flood) {
+    if (!flood_.packed()) centroid_ = faceCentroids(mesh_);
+  }
+
+  double area(Index f) const {
+    double sum = 0;
+    for (Index t = mesh_.triangleBegin(f); t < mesh_.triangleBegin(f + 1); ++t) {
+      sum += mesh_.triangleArea()[t];
+    }
+    return sum;
+  }
+  glm::dvec3 centroid(Index f) const {
+    if (!flood_.packed()) return centroid_[f];
+    return (corner(f, 0) + corner(f, 1) + corner(f, 2)) / 3.0;
+  }
+  /// Calls `visit(g, distance, delay)` for each way from f to a face g.
+  template <class Visit>
+  void forWays(Index f, const Visit& visit) const {
+    if (!flood_.packed()) {
+      for (Index i = flood_.arcBegin[f]; i < flood_.arcBegin[f + 1]; ++i) {
+        const FloodArc& arc = flood_.arcs[i];
+        visit(arc.face, glm::length(centroid_[f] - centroid_[arc.face]), arc.delay);
+      }
+      return;
+    }
+    const FloodFace& record = flood_.faces[f];
+    for (Index k = 0; k < 3; ++k) {
+      if (record.neighbour[k] == kNone) continue;
+      const Index g = record.neighbour[k] >> 2, side = record.neighbour[k] & 3;
+      // Two corners are common: the centroids differ by a third of what the others do.
+      const glm::dvec3 apart = corner(g, (side + 2) % 3) - corner(f, (k + 2) % 3);
+      visit(g, glm::length(apart) / 3.0, record.delay[k]);
+    }
+  }
+
+ private:
+  const glm::dvec3& corner(Index f, Index k) const {
+    return mesh_.positions()[mesh_.triangles()[f][k]];
+  }
+
+  const Mesh& mesh_;
+  const FloodGraph& flood_;
+  std::vector<glm::dvec3> centroid_;
+};
+
 /// Adds up the faces of one part of the mesh. Ways belong to the cluster that they lead into.
-void addFaces(const NodeGraphSource& source, std::span<const Index> nodeOfFace,
-              std::span<const glm::dvec3> centroid, std::size_t begin, std::size_t end,
-              std::span<NodeSum> sums) {
-  const Mesh& mesh = source.mesh;
-  const auto area = mesh.triangleArea();
+void addFaces(const Faces& faces, std::span<const Index> nodeOfFace, std::size_t begin,
+              std::size_t end, std::span<NodeSum> sums) {
   for (Index f = static_cast<Index>(begin); f < end; ++f) {
-    double w = 1e-300;  // the centroid of clusters without area is that of their faces
-    for (Index t = mesh.triangleBegin(f); t < mesh.triangleBegin(f + 1); ++t) w += area[t];
+    // The centroid of clusters without area is that of their faces.
+    const double w = 1e-300 + faces.area(f);
     NodeSum& sum = sums[nodeOfFace[f]];
     sum.weight += w;
-    sum.center += w * centroid[f];
-    const auto enter = [&](Index g, float delay) {
-      sums[nodeOfFace[g]].ways.add(glm::length(centroid[f] - centroid[g]),
-                                   static_cast<double>(delay));
-    };
-    const FloodGraph& flood = source.flood;
-    if (flood.packed()) {
-      const FloodFace& record = flood.faces[f];
-      for (int k = 0; k < 3; ++k) {
-        if (record.neighbour[k] != kNone) enter(record.neighbour[k] >> 2, record.delay[k]);
-      }
-    } else {
-      for (Index i = flood.arcBegin[f]; i < flood.arcBegin[f + 1]; ++i) {
-        enter(flood.arcs[i].face, flood.arcs[i].delay);
-      }
-    }
+    sum.center += w * faces.centroid(f);
+    faces.forWays(f, [&](Index g, double distance, float delay) {
+      sums[nodeOfFace[g]].ways.add(distance, static_cast<double>(delay));
+    });
   }
 }
 
 /// Area-weighted centres, and the mean slowness of each cluster.
 std::vector<double> measureNodes(const NodeGraphSource& source, CoarseGraph& coarse) {
-  const std::vector<glm::dvec3> centroid = faceCentroids(source.mesh);
+  const Faces all(source);
   const std::size_t nodes = coarse.nodeCount(), faces = source.mesh.faceCount();
   // The parts are the same for any number of threads, and so are the sums.
   const std::size_t parts = faces >= kParallelFaces ? kParts : 1;
   std::vector<std::vector<NodeSum>> sums(parts);
   parallelFor(parts, [&](std::size_t part) {
     sums[part].resize(nodes);
-    addFaces(source, coarse.nodes.nodeOfFace, centroid, faces * part / parts,
-             faces * (part + 1) / parts, sums[part]);
+    addFaces(all, coarse.nodes.nodeOfFace, faces * part / parts, faces * (part + 1) / parts,
+             sums[part]);
   });
   std::vector<double> slowness(nodes, 0);
   coarse.center.resize(nodes);

@@ -26,9 +26,9 @@ namespace {
 
 constexpr std::size_t kAllFaces = std::numeric_limits<std::size_t>::max();
 // S is sqrt(n) std / mean.
-constexpr double kUnevenCoarse = 0.1;  // S that other seeds may better: a band cannot absorb it
-constexpr double kEvenBand = 0.01;     // S that is good enough
-constexpr double kBandDamping = 0.9;   // rests do not move, so nearly all can be put right at once
+constexpr double kUnevenCoarse = 0.1;    // S that other seeds may better: a band cannot absorb it
+constexpr double kEvenBand = 0.01;       // S that is good enough
+constexpr double kBandDamping = 0.6;     // rests do not move: most can be put right at once
 constexpr std::size_t kBandRounds = 12;  // at most
 constexpr std::size_t kBandPatience = 3;
 constexpr std::size_t kOtherStarts = 3;

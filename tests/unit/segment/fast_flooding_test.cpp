@@ -318,13 +318,21 @@ TEST_P(FastGoal, ChartsAreAsEvenAndSeamsAsShortAsOfTheLiteralSearch) {
   const auto in = test::segmentInputs(mesh);
   SegmentOptions options;
   options.refine.kind = RefineKind::Moves;
-  const auto measured = [&](SearchKind search) {
-    options.search = search;
-    return measureCharts(*mesh, *toTheEnd(in, options)->state());
-  };
-  const ChartStats literal = measured(SearchKind::Literal), fast = measured(SearchKind::Fast);
-  EXPECT_LE(fast.stdOverMean(), 1.05 * literal.stdOverMean());
-  EXPECT_LE(fast.seamLength, 1.05 * literal.seamLength);
+  options.record = false;
+  // One seed of the generator may be lucky either way, so that means over a few are compared.
+  double unevenness = 0, seams = 0;
+  constexpr int kSeeds = 4;
+  for (options.rngSeed = 1; options.rngSeed <= kSeeds; ++options.rngSeed) {
+    const auto measured = [&](SearchKind search) {
+      options.search = search;
+      return measureCharts(*mesh, *toTheEnd(in, options)->state());
+    };
+    const ChartStats literal = measured(SearchKind::Literal), fast = measured(SearchKind::Fast);
+    unevenness += std::log(fast.stdOverMean() / literal.stdOverMean()) / kSeeds;
+    seams += std::log(fast.seamLength / literal.seamLength) / kSeeds;
+  }
+  EXPECT_LE(std::exp(unevenness), 1.05);
+  EXPECT_LE(std::exp(seams), 1.05);
 }
 
 }  // namespace
