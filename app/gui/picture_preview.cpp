@@ -9,6 +9,7 @@
 #include "app/gui/drawing_budget.h"
 #include "app/gui/imgui_gl.h"
 #include "app/gui/panels/panels.h"
+#include "core/base/stopwatch.h"
 #include "render/offscreen_render.h"
 
 namespace chartflood {
@@ -20,10 +21,6 @@ namespace {
 constexpr double kRest = 4, kLongestRest = 0.25;
 /// The window is drawn larger than it is shown: thin lines and letters stay.
 constexpr int kFiner = 2;
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 void drawWindow(ImguiGl& drawer, const ImDrawData& data, const gl::Framebuffer& target) {
   const gl::FramebufferScope keep;

@@ -8,6 +8,7 @@
 
 #include "app/gui/drawing_budget.h"
 #include "app/gui/imgui_gl.h"
+#include "core/base/stopwatch.h"
 
 namespace chartflood {
 
@@ -15,10 +16,6 @@ namespace {
 
 constexpr double kCoarseFrom = 0.045;   // slower plain pictures get half the size in motion
 constexpr double kCoarseUntil = 0.012;  // quicker coarse ones get their full size back
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 

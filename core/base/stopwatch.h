@@ -17,4 +17,8 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
+inline double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 }  // namespace chartflood

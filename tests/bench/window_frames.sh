@@ -59,13 +59,17 @@ mark; stir view 50 55 40 45 6; report "seed"
 settle; keys v
 mark; stir view 40 40 60 60 6; report "turn"
 settle
-# How long Esc takes to end a run: until its progress has gone.
-drag charts 50 50 60 50
-if shows progress; then
+# How long Esc takes to end a run, from the key until a pass was drawn without progress.
+for delay in 0.05 0.3 0.6 1 1.5 2 3; do
+  drag charts 50 50 60 50; settle
+  keys Return; shows progress || continue
+  sleep $delay
+  grep -q '"progress"' "$folder/probe.json" || { echo "the run was over after $delay s"; continue; }
   start=$(date +%s%N); xdotool key Escape
-  for i in $(seq 2000); do grep -q '"progress"' "$folder/probe.json" || break; sleep 0.01; done
-  echo "Esc ends a run within $((($(date +%s%N) - start) / 1000000)) ms"
-fi
+  for i in $(seq 2000); do grep -q '"progress"' "$folder/probe.json" || break; sleep 0.005; done
+  echo "Esc $delay s into a run: $((($(date +%s%N) - start) / 1000000)) ms"
+  settle; keys ctrl z; settle
+done
 settle
 before=$(ticks); sleep 10; after=$(ticks)
 echo "at rest: $((after - before)) of 1000 hundredths of a second"
