@@ -2,115 +2,192 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 namespace chartflood {
 
 namespace {
 
-/// Cost of a cell's distance: overlap is dear, and so is, a little, being far from everything.
-constexpr float kOverlapCost = 15;
-constexpr float kSnugReach = 0.08f;
+/// Parts of a layout unit in which distances are counted.
+constexpr float kPerRoom = 8192;
+constexpr short kFarAway = 32767;
+/// Overlap is dear, and so is, a little, being far from everything: costs of a distance that is
+/// missing or to spare, and the most that counts of either.
+constexpr short kOverlapCost = 2, kPerSnugCost = 8;
+constexpr short kMostOverlap = 348, kSnugReach = 655;
+/// Most points of a shape that are looked at; their costs add up to what a short holds.
+constexpr std::size_t kMostPoints = 47;
+static_assert(kMostPoints * kOverlapCost * kMostOverlap < 32767);
+
+constexpr int kLanes = static_cast<int>(kShortLanes);
+
+short roomOf(double distance) {
+  return static_cast<short>(std::clamp(distance * kPerRoom, -32767.0, 32767.0));
+}
 
 /// A bounded number of a shape's points, in an order that sees all sides early.
 std::vector<PackShape::Point> spreadPoints(const PackShape& shape) {
-  constexpr std::size_t kMost = 47, kStride = 19;  // primes: every point comes once
-  const std::size_t count = std::min(shape.points.size(), kMost);
+  constexpr std::size_t kStride = 19;  // a prime, as the most is: every point comes once
+  const std::size_t count = std::min(shape.points.size(), kMostPoints);
   const std::size_t stride = count % kStride == 0 ? 1 : kStride;
   std::vector<PackShape::Point> points;
+  points.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
     points.push_back(shape.points[k * stride % count * shape.points.size() / count]);
   }
   return points;
 }
 
+/// A shape at one turn, in cells: where its points lie from its centre, and the box around them.
+struct Stamp {
+  int offsets[kMostPoints];
+  std::size_t count = 0;
+  int deepest = 0;
+  int left = 0, right = 0, bottom = 0, top = 0;
+
+  Stamp(const PackShape& shape, std::span<const PackShape::Point> points, double angle, double cell,
+        int stride) {
+    const float c = static_cast<float>(std::cos(angle) / cell);
+    const float s = static_cast<float>(std::sin(angle) / cell);
+    const auto offsetOf = [&](const PackShape::Point& p) {
+      const int i = static_cast<int>(std::floor(c * p.x - s * p.y + 0.5f));
+      const int j = static_cast<int>(std::floor(s * p.x + c * p.y + 0.5f));
+      left = std::min(left, i), right = std::max(right, i);
+      bottom = std::min(bottom, j), top = std::max(top, j);
+      return j * stride + i;
+    };
+    deepest = offsetOf(shape.deepest);
+    for (const PackShape::Point& p : points) offsets[count++] = offsetOf(p);
+  }
+};
+
+/// Sums of a stamp's costs at eight places side by side; stops where none can be below `best`.
+ShortLanes costOf(const Stamp& stamp, const short* costs, short best) {
+  constexpr std::size_t kBetweenLooks = 6;
+  ShortLanes cost{};
+  for (std::size_t k = 0; k < stamp.count;) {
+    const std::size_t end = std::min(k + kBetweenLooks, stamp.count);
+    for (; k < end; ++k) cost += loadLanes<ShortLanes>(costs + stamp.offsets[k]);
+    if (!anyOf(cost < best)) break;
+  }
+  return cost;
+}
+
 }  // namespace
 
 FreeSpace::FreeSpace(double side, double gap, double border)
-    : side_(side), cell_(side / kCells), gap_(gap), stride_(kCells + 2 * kFrame) {
-  distance_.resize(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(stride_));
-  for (int j = 0; j < stride_; ++j) {
-    for (int i = 0; i < stride_; ++i) {
-      const double x = (i - kFrame + 0.5) * cell_, y = (j - kFrame + 0.5) * cell_;
-      const double inside = std::min(std::min(x, side - x), std::min(y, side - y));
-      // The sides need less space than shapes do.
-      distance_[static_cast<std::size_t>(j * stride_ + i)] =
-          static_cast<float>(inside - border + gap);
+    : side_(side), cell_(side / kCells), need_(roomOf(gap * 1.27)) {
+  constexpr std::size_t kCount = static_cast<std::size_t>(kStride * kStride);
+  room_.resize(kCount + kShortLanes);  // all lanes are read at once: the last ones, and beyond
+  cost_.resize(kCount + kShortLanes);
+  short byCells[kStride];
+  for (int i = 0; i < kStride; ++i) {
+    // The sides need less space than shapes do.
+    byCells[i] = roomOf((std::min(i, kStride - 1 - i) - kFrame + 0.5) * cell_ - border + gap);
+  }
+  for (int j = 0; j < kStride; ++j) {
+    for (int i = 0; i < kStride; ++i) {
+      room_[static_cast<std::size_t>(j * kStride + i)] = std::min(byCells[i], byCells[j]);
     }
   }
 }
 
-void FreeSpace::add(const PackShape& shape, const Pose& pose) {
+Footprint FreeSpace::footprint(const PackShape& shape, const Pose& pose) const {
   const DistanceField& field = shape.field;
-  const double c = std::cos(pose.angle), s = std::sin(pose.angle);
-  const double half = side_ / 2;
-  const double reach = std::hypot(
-      std::max(std::abs(field.x0), std::abs(field.x0 + static_cast<float>(field.nx) * field.cell)),
-      std::max(std::abs(field.y0), std::abs(field.y0 + static_cast<float>(field.ny) * field.cell)));
-  const auto cellOf = [&](double v) {
-    return std::clamp(static_cast<int>(std::floor((v + half) / cell_)) + kFrame, 0, stride_ - 1);
-  };
-  for (int j = cellOf(pose.y - reach); j <= cellOf(pose.y + reach); ++j) {
-    for (int i = cellOf(pose.x - reach); i <= cellOf(pose.x + reach); ++i) {
-      const double x = (i - kFrame + 0.5) * cell_ - half - pose.x;
-      const double y = (j - kFrame + 0.5) * cell_ - half - pose.y;
-      const double qx = c * x + s * y, qy = c * y - s * x;
-      const int u = static_cast<int>((qx - field.x0) * field.perCell + 0.5);
-      const int v = static_cast<int>((qy - field.y0) * field.perCell + 0.5);
-      if (qx < field.x0 || qy < field.y0 || u >= field.nx || v >= field.ny) continue;
-      float& distance = distance_[static_cast<std::size_t>(j * stride_ + i)];
-      distance = std::min(distance, field.at(u, v));
+  // Cells to nodes: u = u0 + c * i + s * j, v = v0 - s * i + c * j; nodes to cells the other way.
+  const double perCell = cell_ / field.cell;
+  const double c = perCell * std::cos(pose.angle), s = perCell * std::sin(pose.angle);
+  const double x = (0.5 - kFrame) * cell_ - side_ / 2 - pose.x;
+  const double y = (0.5 - kFrame) * cell_ - side_ / 2 - pose.y;
+  const double u0 = (c * x + s * y) / cell_ - field.x0 / field.cell + 0.5;
+  const double v0 = (c * y - s * x) / cell_ - field.y0 / field.cell + 0.5;
+  double low[2] = {kStride, kStride}, high[2] = {0, 0};
+  for (const double u : {0 - u0, field.nx - u0}) {
+    for (const double v : {0 - v0, field.ny - v0}) {
+      const double at[2] = {(c * u - s * v) / (perCell * perCell),
+                            (s * u + c * v) / (perCell * perCell)};
+      for (int k = 0; k < 2; ++k)
+        low[k] = std::min(low[k], at[k]), high[k] = std::max(high[k], at[k]);
     }
+  }
+  const auto cellOf = [](double at) {
+    return static_cast<int>(std::clamp<double>(at, 0, kStride));
+  };
+  Footprint print;
+  print.left = cellOf(low[0]) / kLanes * kLanes, print.bottom = cellOf(low[1]);
+  print.width = std::max(0, (cellOf(high[0] + 1) - print.left + kLanes - 1) / kLanes * kLanes);
+  print.height = std::max(0, cellOf(high[1] + 1) - print.bottom);
+  print.room.resize(static_cast<std::size_t>(print.width) * static_cast<std::size_t>(print.height));
+  const float perNodeU = static_cast<float>(c), perNodeV = static_cast<float>(-s);
+  const float right = static_cast<float>(field.nx), top = static_cast<float>(field.ny);
+  for (int j = 0; j < print.height; ++j) {
+    const float u = static_cast<float>(u0 + c * print.left + s * (print.bottom + j));
+    const float v = static_cast<float>(v0 - s * print.left + c * (print.bottom + j));
+    short* row = &print.room[static_cast<std::size_t>(j * print.width)];
+    for (int i = 0; i < print.width; ++i) {
+      const float fu = u + perNodeU * static_cast<float>(i),
+                  fv = v + perNodeV * static_cast<float>(i);
+      const bool inside = fu >= 0 && fv >= 0 && fu < right && fv < top;
+      row[i] = inside
+                   ? static_cast<short>(std::min(
+                         kPerRoom * field.at(static_cast<int>(fu), static_cast<int>(fv)), 32767.f))
+                   : kFarAway;
+    }
+  }
+  return print;
+}
+
+void FreeSpace::add(const Footprint& print) {
+  for (int j = 0; j < print.height; ++j) {
+    short* room = &room_[static_cast<std::size_t>((print.bottom + j) * kStride + print.left)];
+    const short* row = &print.room[static_cast<std::size_t>(j * print.width)];
+    for (int i = 0; i < print.width; i += kLanes) {
+      const ShortLanes least =
+          smaller(loadLanes<ShortLanes>(room + i), loadLanes<ShortLanes>(row + i));
+      std::memcpy(room + i, &least, sizeof least);
+    }
+  }
+}
+
+void FreeSpace::findCosts() {
+  const ShortLanes mostOverlap = ShortLanes{} + kMostOverlap, reach = ShortLanes{} + kSnugReach;
+  for (std::size_t k = 0; k + kShortLanes <= cost_.size(); k += kShortLanes) {
+    // Far inside shapes, a distance less the gap may be less than what a short holds.
+    const ShortLanes room = larger(loadLanes<ShortLanes>(&room_[k]), ShortLanes{} - short{16384});
+    const ShortLanes free = room - need_;
+    const ShortLanes cost =
+        free < 0 ? kOverlapCost * smaller(-free, mostOverlap) : smaller(free, reach) / kPerSnugCost;
+    std::memcpy(&cost_[k], &cost, sizeof cost);
   }
 }
 
 Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) {
-  cost_.resize(distance_.size());
-  const float need = static_cast<float>(gap_ * 1.27);
-  for (std::size_t i = 0; i < cost_.size(); ++i) {
-    const float free = distance_[i] - need;
-    cost_[i] = free < 0 ? kOverlapCost * -free : std::min(free, kSnugReach);
-  }
+  findCosts();
   const std::vector<PackShape::Point> points = spreadPoints(shape);
   // Where the deepest point does not fit, by far, nothing else needs a look.
-  const float room = 0.8f * shape.deepest.length;
+  const short room = roomOf(0.8 * shape.deepest.length);
   Pose best;
-  float bestCost = INFINITY;
-  std::vector<int> offsets(points.size());
+  short bestCost = 32767;
   for (int turn = 0; turn < turns; ++turn) {
     const double angle = firstAngle + turn * 2 * std::numbers::pi / turns;
-    const double c = std::cos(angle), s = std::sin(angle);
-    const PackShape::Point& d = shape.deepest;
-    const int di = static_cast<int>(std::lround((c * d.x - s * d.y) / cell_));
-    const int dj = static_cast<int>(std::lround((s * d.x + c * d.y) / cell_));
-    const int deepest = dj * stride_ + di;
-    int left = std::min(0, di), right = std::max(0, di);
-    int bottom = std::min(0, dj), top = std::max(0, dj);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const PackShape::Point& p = points[k];
-      const int i = static_cast<int>(std::lround((c * p.x - s * p.y) / cell_));
-      const int j = static_cast<int>(std::lround((s * p.x + c * p.y) / cell_));
-      left = std::min(left, i), right = std::max(right, i);
-      bottom = std::min(bottom, j), top = std::max(top, j);
-      offsets[k] = j * stride_ + i;
-    }
-    constexpr int slack = 2;
-    const int i0 = std::max(kFrame - slack - left, -left);
-    const int i1 = std::min(kFrame + kCells + slack - right, stride_ - 1 - right);
-    const int j0 = std::max(kFrame - slack - bottom, -bottom);
-    const int j1 = std::min(kFrame + kCells + slack - top, stride_ - 1 - top);
-    for (int j = j0; j <= j1; ++j) {
-      for (int i = i0; i <= i1; ++i) {
-        const int at = j * stride_ + i;
-        if (distance_[static_cast<std::size_t>(at + deepest)] < room) continue;
-        float cost = 0;
-        for (std::size_t k = 0; k < offsets.size() && cost < bestCost; ++k) {
-          cost += cost_[static_cast<std::size_t>(at + offsets[k])];
+    const Stamp stamp(shape, points, angle, cell_, kStride);
+    constexpr int kSlack = 2, kFirst = kFrame - kSlack, kLast = kFrame + kCells + kSlack;
+    for (int j = kFirst - stamp.bottom; j <= kLast - stamp.top; ++j) {
+      const int end = kLast - stamp.right;
+      for (int i = kFirst - stamp.left; i <= end; i += kLanes) {
+        const int at = j * kStride + i;
+        const ShortLanes fits =
+            loadLanes<ShortLanes>(&room_[static_cast<std::size_t>(at + stamp.deepest)]) >= room;
+        if (!anyOf(fits)) continue;
+        const ShortLanes cost = costOf(stamp, &cost_[static_cast<std::size_t>(at)], bestCost);
+        if (!anyOf((cost < bestCost) & fits)) continue;
+        for (int lane = 0; lane < std::min(kLanes, end + 1 - i); ++lane) {
+          if (fits[lane] == 0 || cost[lane] >= bestCost) continue;
+          bestCost = cost[lane];
+          best = {(i + lane - kFrame + 0.5) * cell_ - side_ / 2,
+                  (j - kFrame + 0.5) * cell_ - side_ / 2, angle};
         }
-        if (cost >= bestCost) continue;
-        bestCost = cost;
-        best = {(i - kFrame + 0.5) * cell_ - side_ / 2, (j - kFrame + 0.5) * cell_ - side_ / 2,
-                angle};
       }
     }
   }

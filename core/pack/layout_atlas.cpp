@@ -84,10 +84,9 @@ std::shared_ptr<const Atlas> layoutAtlas(const ChartSet& charts, const Unwrap& u
                 " in a texture of " + std::to_string(options.textureSize) +
                 " pixels a side; lower the margin or raise the texture size.");
   }
-  const std::vector<Placement> placement =
-      options.kind == LayoutOptions::Kind::Square
-          ? gridLayout(outlines, gaps, false)
-          : packedLayout(outlines, gaps, options.effort, progress);
+  const std::vector<Placement> placement = options.kind == LayoutOptions::Kind::Square
+                                               ? gridLayout(outlines, gaps, false)
+                                               : packedLayout(outlines, gaps, progress);
   if (progress.cancelled()) return nullptr;
   for (std::size_t i = 0; i < chartOf.size(); ++i) atlas->placement[chartOf[i]] = placement[i];
   finish(*atlas, charts, unwrap);

@@ -18,7 +18,6 @@ struct LayoutOptions {
   Kind kind = Kind::Packed;
   int textureSize = 1024;  ///< pixels a side
   int margin = 8;          ///< least empty pixels between charts
-  double effort = 1;       ///< share of the usual search for a dense packing, 0 to 1
 
   bool operator==(const LayoutOptions&) const = default;
 };

@@ -35,26 +35,34 @@ struct Plan {
   std::vector<Stage> stages;
 };
 
-Plan planFor(std::span<const PackShape> shapes, double effort) {
+Plan planFor(std::span<const PackShape> shapes) {
   double points = 0;
   for (const PackShape& shape : shapes) points += static_cast<double>(shape.points.size());
   // A square of twenty usual charts has about 2500 points.
-  const double less = std::clamp(effort, 0.0, 1.0) * std::min(1.0, 2500 / points);
+  const double less = std::min(1.0, 2500 / points);
   const auto rounds = [&](double most) { return 2 + static_cast<int>(most * less); };
   const std::size_t starts = shapes.size() > 250 ? 2 : shapes.size() > 60 ? 4 : 8;
-  return {effort < 0.5 ? 2 : starts, {{4, rounds(60)}, {2, rounds(160)}}};
+  return {starts, {{4, rounds(60)}, {2, rounds(160)}}};
 }
 
 double unit(Rng& rng) { return (rng.below(1u << 24) + 0.5) / (1u << 24); }
 
-/// A layout on its way to a denser one.
-struct Chain {
+/// A layout that was squeezed, or was given up on the way.
+struct Squeezed {
   PackLayout layout;
   double side = 0;            ///< of the layout, what is still pressed in made good
-  std::vector<double> sides;  ///< after each depth of squeezing
+  std::vector<double> sides;  ///< after each depth of squeezing, what is pressed in counted
 };
 
-bool denser(const Chain& a, const Chain& b) { return a.side < b.side; }
+bool denser(const Squeezed& a, const Squeezed& b) { return a.side < b.side; }
+
+/// When to look whether a layout that is squeezed falls behind, and when it does. After a fifth of
+/// the steps half of those that come to nothing are found, and one in twenty of the others.
+struct Look {
+  double share;   ///< of the steps
+  double behind;  ///< sides over that of the layout to better
+};
+constexpr Look kLooks[] = {{0.2, 1.02}, {0.5, 1.007}, {1, 1.0015}};
 
 class Search {
  public:
@@ -62,39 +70,74 @@ class Search {
       : shapes_(shapes), gaps_(gaps), progress_(progress),
         turns_(std::clamp(static_cast<int>(60 * kTurns / shapes.size()), 4, kTurns)) {}
 
-  Chain start(Rng& rng) const {
+  Squeezed start(Rng& rng) const {
     std::vector<Index> all(shapes_.size());
     for (Index i = 0; i < all.size(); ++i) all[i] = i;
-    Chain chain;
     const double side = std::sqrt(1 / kFirstFill);
-    chain.layout = {side, std::vector<Pose>(shapes_.size())};
-    FreeSpace space(side, gaps_.between * side, gaps_.border * side);
-    place(chain.layout, space, largeFirst(all, 0.3, rng), rng);
-    squeeze(chain, kStartDepths, kStartSteps, nullptr);
-    return chain;
+    Squeezed next{{side, std::vector<Pose>(shapes_.size())}, 0, {}};
+    FreeSpace space = emptySpace(side);
+    place(next.layout, space, largeFirst(all, 0.3, rng), rng);
+    Squeezer squeezer(shapes_, gaps_);
+    squeeze(next, squeezer, kStartDepths, kStartSteps, nullptr);
+    return next;
   }
 
-  /// Takes some shapes out and puts them back in; keeps the result when it is denser.
-  void improve(Chain& chain, Rng& rng) const {
-    Chain next{chain.layout, 0, {}};
-    const std::vector<Index> taken = someShapes(chain.layout, rng);
-    std::vector<bool> out(shapes_.size(), false);
-    for (const Index i : taken) out[i] = true;
-    // Tighter than it was, so that only better places fit.
-    constexpr double kTighter = 0.99;
-    next.layout.side *= kTighter;
-    for (Pose& pose : next.layout.poses) pose.x *= kTighter, pose.y *= kTighter;
-    const double side = next.layout.side;
-    FreeSpace space(side, gaps_.between * side, gaps_.border * side);
-    for (Index i = 0; i < shapes_.size(); ++i) {
-      if (!out[i]) space.add(shapes_[i], next.layout.poses[i]);
+  /// A layout on its way to a denser one.
+  class Chain {
+   public:
+    Chain(const Search& search, Squeezed& best, Rng rng)
+        : search_(search), best_(best), rng_(rng), squeezer_(search.shapes_, search.gaps_) {
+      // What rounds are compared with was squeezed as they are.
+      Squeezed again{best.layout, 0, {}};
+      search.squeeze(again, squeezer_, kRoundDepths, kRoundSteps, nullptr);
+      if (denser(again, best)) best.layout = again.layout, best.side = again.side;
+      best.sides = again.sides;
+      tighten();
     }
-    place(next.layout, space, largeFirst(taken, 0.5, rng), rng);
-    if (squeeze(next, kRoundDepths, kRoundSteps, &chain) && denser(next, chain))
-      chain = std::move(next);
-  }
+
+    /// Takes some shapes out and puts them back in; keeps the result when it is denser.
+    void improve() {
+      Squeezed next{tight_, 0, {}};
+      const std::vector<Index> taken = search_.someShapes(best_.layout, rng_);
+      FreeSpace space = search_.emptySpace(tight_.side);
+      for (Index i = 0; i < footprints_.size(); ++i) {
+        if (std::find(taken.begin(), taken.end(), i) == taken.end()) space.add(footprints_[i]);
+      }
+      search_.place(next.layout, space, search_.largeFirst(taken, 0.5, rng_), rng_);
+      if (search_.squeeze(next, squeezer_, kRoundDepths, kRoundSteps, &best_) &&
+          denser(next, best_)) {
+        best_ = std::move(next);
+        tighten();
+      }
+    }
+
+   private:
+    /// Tighter than it was, so that only better places fit.
+    void tighten() {
+      constexpr double kTighter = 0.99;
+      tight_ = best_.layout;
+      tight_.side *= kTighter;
+      for (Pose& pose : tight_.poses) pose.x *= kTighter, pose.y *= kTighter;
+      const FreeSpace space = search_.emptySpace(tight_.side);
+      footprints_.clear();
+      for (std::size_t i = 0; i < tight_.poses.size(); ++i) {
+        footprints_.push_back(space.footprint(search_.shapes_[i], tight_.poses[i]));
+      }
+    }
+
+    const Search& search_;
+    Squeezed& best_;
+    Rng rng_;
+    Squeezer squeezer_;
+    PackLayout tight_;
+    std::vector<Footprint> footprints_;  ///< of the tight layout
+  };
 
  private:
+  FreeSpace emptySpace(double side) const {
+    return {side, gaps_.between * side, gaps_.border * side};
+  }
+
   /// Large shapes first, in an order that differs from time to time.
   std::vector<Index> largeFirst(const std::vector<Index>& some, double disorder, Rng& rng) const {
     std::vector<std::pair<double, Index>> keys;
@@ -113,7 +156,7 @@ class Search {
     for (const Index i : order) {
       if (progress_.cancelled()) return;
       layout.poses[i] = space.bestPose(shapes_[i], 2 * std::numbers::pi * unit(rng), turns_);
-      space.add(shapes_[i], layout.poses[i]);
+      space.add(space.footprint(shapes_[i], layout.poses[i]));
     }
   }
 
@@ -136,20 +179,30 @@ class Search {
   }
 
   /// False, and given up early, when it falls behind `best`.
-  bool squeeze(Chain& chain, std::span<const double> depths, int steps, const Chain* best) const {
-    constexpr double kBehind = 1.004;
+  bool squeeze(Squeezed& next, Squeezer& squeezer, std::span<const double> depths, int steps,
+               const Squeezed* best) const {
     // Shapes must shrink by about the depth over their radius to come apart.
     constexpr double kRadius = 0.2;
-    Squeezer squeezer(shapes_, gaps_);
     for (const double depth : depths) {
       // The force that presses shapes in so deep.
-      const double pressure = 4 * depth / 1024 * chain.layout.side;
-      squeezer.run(chain.layout, {pressure, steps}, progress_);
-      chain.sides.push_back(chain.layout.side);
-      const std::size_t done = chain.sides.size();
-      if (best != nullptr && chain.sides.back() > kBehind * best->sides[done - 1]) return false;
+      const double pressure = 4 * depth / 1024 * next.layout.side;
+      squeezer.rest();
+      const bool soft = depth == depths.front();
+      int done = 0;
+      for (const Look& look : kLooks) {
+        // Where charts are pressed into each other too deep for the pressure nothing is known yet.
+        if (!soft && look.share < 1) continue;
+        const int until = static_cast<int>(look.share * steps);
+        squeezer.run(next.layout, {pressure, until - done}, progress_);
+        done = until;
+        // What the walls could still give while shapes are pressed out of each other.
+        const double side = next.layout.side + squeezer.energy() / pressure;
+        if (look.share == 1) next.sides.push_back(side);
+        const std::size_t at = next.sides.size() - (look.share == 1 ? 1 : 0);
+        if (best != nullptr && side > look.behind * best->sides[at]) return false;
+      }
     }
-    chain.side = chain.layout.side * (1 + squeezer.depth() / kRadius);
+    next.side = next.layout.side * (1 + squeezer.depth() / kRadius);
     return true;
   }
 
@@ -162,8 +215,8 @@ class Search {
 }  // namespace
 
 std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const PackGaps& gaps,
-                                      double effort, float lastFraction, Progress& progress) {
-  const Plan plan = planFor(shapes, effort);
+                                      float lastFraction, Progress& progress) {
+  const Plan plan = planFor(shapes);
   // A start costs about as much as three rounds.
   float work = 3 * static_cast<float>(plan.starts);
   for (const Plan::Stage& stage : plan.stages) {
@@ -174,7 +227,7 @@ std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const P
     progress.setFraction(lastFraction * static_cast<float>(done += rounds) / work);
   };
   const Search search(shapes, gaps, progress);
-  std::vector<Chain> chains(plan.starts);
+  std::vector<Squeezed> chains(plan.starts);
   parallelFor(chains.size(), [&](std::size_t k) {
     if (progress.cancelled()) return;
     Rng rng(kSeed + static_cast<std::uint32_t>(k));
@@ -186,9 +239,9 @@ std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const P
     std::stable_sort(chains.begin(), chains.end(), denser);
     chains.resize(std::min(chains.size(), stage.chains));
     parallelFor(chains.size(), [&](std::size_t k) {
-      Rng rng(seed + static_cast<std::uint32_t>(k));
+      Search::Chain chain(search, chains[k], Rng(seed + static_cast<std::uint32_t>(k)));
       for (int i = 0; i < stage.rounds && !progress.cancelled(); ++i) {
-        search.improve(chains[k], rng);
+        chain.improve();
         advance(1);
       }
     });
@@ -196,7 +249,7 @@ std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const P
   }
   std::stable_sort(chains.begin(), chains.end(), denser);
   std::vector<PackLayout> layouts;
-  for (Chain& chain : chains) layouts.push_back(std::move(chain.layout));
+  for (Squeezed& chain : chains) layouts.push_back(std::move(chain.layout));
   return layouts;
 }
 

@@ -15,9 +15,8 @@ namespace chartflood {
 /// part of the points' spacing. A fixed amount of work that grows little with the number of
 /// shapes, shared out over the threads by independent layouts. Fills the progress up to
 /// `lastFraction`.
-/// \param effort share of the usual work, 0 to 1
 /// \return at least one layout; meaningless when cancelled
 std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const PackGaps& gaps,
-                                      double effort, float lastFraction, Progress& progress);
+                                      float lastFraction, Progress& progress);
 
 }  // namespace chartflood

@@ -61,8 +61,11 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
            double layoutScale, PackLayout layout, const PackGaps& gaps, const Progress& progress) {
   // Pressed with a gap even where none is asked for, see below.
   Squeezer squeezer(shapes, {std::max(gaps.between, 0.001), gaps.border});
+  // No more than the fields of fine shapes reach beyond the gap.
+  constexpr double kSkin = 0.003;
   for (const double depth : {0.5, 0.1, 0.02, 0.004}) {
-    squeezer.run(layout, {4 * depth / 1024 * layout.side, 80}, progress);
+    squeezer.rest();
+    squeezer.run(layout, {4 * depth / 1024 * layout.side, 80, kSkin}, progress);
   }
   Fitted fitted;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
@@ -98,7 +101,7 @@ bool worthSearching(std::span<const ChartOutline> outlines) {
 }  // namespace
 
 std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
-                                    double effort, Progress& progress) {
+                                    Progress& progress) {
   std::vector<Placement> grid = gridLayout(outlines, gaps, true);
   if (outlines.size() < 2) return grid;
   if (!worthSearching(outlines)) {
@@ -111,7 +114,7 @@ std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, cons
   // The gap is widest across a diagonal; and a place is snug up to some distance.
   const double reach = std::max(1.5 * gaps.between * sizes.side, 0.09);
   const std::vector<PackShape> coarse = makeShapes(outlines, sizes, 12, 10, 6000, reach);
-  const std::vector<PackLayout> layouts = searchLayouts(coarse, soft, effort, 0.85f, progress);
+  const std::vector<PackLayout> layouts = searchLayouts(coarse, soft, 0.85f, progress);
   if (progress.cancelled()) return {};
   sizes.side = layouts.front().side;
   const std::vector<PackShape> fine =

@@ -11,10 +11,9 @@
 
 namespace chartflood {
 
-/// \param effort share of the usual search, 0 to 1
 /// \return one entry an outline; meaningless when cancelled
 /// \pre the gaps leave room for all outlines
 std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
-                                    double effort, Progress& progress);
+                                    Progress& progress);
 
 }  // namespace chartflood

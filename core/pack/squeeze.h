@@ -6,32 +6,17 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/pack/contacts.h"
+#include "core/pack/pack_layout.h"
 #include "core/pack/pack_shape.h"
 
 namespace chartflood {
-
-/// Place of a shape: its centre, and its turn in radians, counter-clockwise.
-struct Pose {
-  double x = 0, y = 0, angle = 0;
-};
-
-/// Shapes in a square about the origin, layout units.
-struct PackLayout {
-  double side = 0;
-  std::vector<Pose> poses;
-};
-
-/// Space to keep free, as shares of the square's side.
-struct PackGaps {
-  /// Between two shapes, along each axis: one of the two coordinates must differ by as much.
-  double between = 0;
-  double border = 0;  ///< to the square's sides
-};
 
 struct SqueezeOptions {
   double pressure =
       0;  ///< force on the walls; what shapes are pressed into each other grows with it
   int steps = 0;
+  double skin = 0.008;  ///< layout units, see Contacts
 };
 
 /// Minimises the energy of the contacts and the walls with the fast inertial relaxation engine
@@ -42,36 +27,23 @@ class Squeezer {
  public:
   Squeezer(std::span<const PackShape> shapes, const PackGaps& gaps);
 
+  /// Stops all motion, as before another layout or another pressure.
+  void rest();
   /// Moves the layout on. Stops early when cancelled.
   void run(PackLayout& layout, const SqueezeOptions& options, const Progress& progress);
 
   /// Energy of the contacts in the last step, without the walls' pressure.
-  double energy() const { return energy_; }
+  double energy() const { return contacts_.energy(); }
   /// How deep any point lay in another shape or a wall in the last step, gaps counted.
-  double depth() const { return depth_; }
+  double depth() const { return contacts_.depth(); }
 
  private:
-  struct Item {
-    float x = 0, y = 0, cos = 1, sin = 0;
-    float fx = 0, fy = 0, torque = 0;
-  };
-
-  void findPairs(const PackLayout& layout, double skin);
-  void computeForces(const PackLayout& layout);
-  void pushFromField(Index fieldOf, Index pointsOf);
-  void pushFromWalls(Index item);
-  void step(PackLayout& layout, double pressure);
+  void step(PackLayout& layout, const SqueezeOptions& options);
 
   std::span<const PackShape> shapes_;
-  PackGaps gaps_;
-  std::vector<std::pair<Index, Index>> pairs_;
-  std::vector<Pose> pairedAt_;
-  double pairedSide_ = 0;
-  std::vector<Item> items_;
+  Contacts contacts_;
   std::vector<double> inverseRoot_;  ///< of the mass: three a shape, then the side's
   std::vector<double> force_, velocity_;
-  float gap_ = 0, wall_ = 0, depth_ = 0;
-  double energy_ = 0, sideForce_ = 0;
   double dt_ = 0, mixing_ = 0;
   int downhill_ = 0;
 };
