@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-
-#include <glm/geometric.hpp>
 
 namespace chartflood {
 
@@ -15,7 +12,10 @@ constexpr std::size_t kPrices = 7;
 constexpr double kFine = 1e9;        // whole numbers a unit of energy
 constexpr double kMost = 1e15;       // of one amount: sums stay below the largest number
 constexpr double kLeastFall = 1e-9;  // least fall of energy that counts
-constexpr double kNoDistance = std::numeric_limits<double>::infinity();
+
+int defects(const SeamSums& a, const SeamSums& b) {
+  return diskDefect(a.euler) + diskDefect(b.euler);
+}
 
 MaxFlow::Amount amountOf(double energy) {
   return static_cast<MaxFlow::Amount>(std::llround(std::clamp(energy * kFine, -kMost, kMost)));
@@ -31,7 +31,7 @@ bool PairCut::run(SeamState& state, const SeamBalance& balance, Index a, Index b
   b_ = b;
   candidateCount_ = 0;
   if (candidates_.empty()) candidates_.resize(kPrices);
-  const bool found = findBand();
+  const bool found = findBand(state, a, b, heap_, band_);
   bool better = false;
   if (found) {
     prepareNodes();
@@ -42,55 +42,8 @@ bool PairCut::run(SeamState& state, const SeamBalance& balance, Index a, Index b
   return better;
 }
 
-/// The nodes of both charts within the band's width of their common seam, over distances between
-/// centres. False when there is no common seam or nothing that may move.
-bool PairCut::findBand() {
-  SeamState& s = *state_;
-  const SeamLevel& level = *s.level;
-  heap_.clear();
-  for (const Index chart : {a_, b_}) {
-    const Index other = chart == a_ ? b_ : a_;
-    for (const Index i : s.charts[chart].nodes) {
-      s.distance[i] = kNoDistance;
-      for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
-        if (s.label[level.arcHead[arc]] != other) continue;
-        s.distance[i] = 0;
-        heap_.emplace_back(0.0, i);
-        break;
-      }
-    }
-  }
-  if (heap_.empty()) return false;
-  const auto later = std::greater<std::pair<double, Index>>();
-  std::make_heap(heap_.begin(), heap_.end(), later);
-  while (!heap_.empty()) {
-    std::pop_heap(heap_.begin(), heap_.end(), later);
-    const auto [distance, i] = heap_.back();
-    heap_.pop_back();
-    if (distance > s.distance[i] || level.fixed[i]) continue;
-    for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
-      const Index j = level.arcHead[arc];
-      if (s.label[j] != s.label[i] || level.fixed[j]) continue;
-      const double to = distance + glm::length(level.center[i] - level.center[j]);
-      if (to > s.band || to >= s.distance[j]) continue;
-      s.distance[j] = to;
-      heap_.emplace_back(to, j);
-      std::push_heap(heap_.begin(), heap_.end(), later);
-    }
-  }
-  band_.clear();
-  for (const Index chart : {a_, b_}) {
-    for (const Index i : s.charts[chart].nodes) {
-      if (s.distance[i] == kNoDistance || level.fixed[i]) continue;
-      s.local[i] = static_cast<Index>(band_.size());
-      band_.push_back(i);
-    }
-  }
-  return !band_.empty();
-}
-
 void PairCut::prepareNodes() {
-  const SeamState& s = *state_;
+  SeamState& s = *state_;
   const SeamLevel& level = *s.level;
   start_.resize(band_.size());
   priced_.resize(band_.size());
@@ -99,8 +52,7 @@ void PairCut::prepareNodes() {
     start_[v] = s.label[i] == a_;
     double value = level.value[i];
     for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
-      const Index chart = s.label[level.arcHead[arc]];
-      if (chart == a_ || chart == b_) value += level.arcValue[arc] / 2;
+      if (inPair(level.arcHead[arc])) value += level.arcValue[arc] / 2;
     }
     priced_[v] = value;
   }
@@ -121,7 +73,7 @@ void PairCut::buildGraph(double price) {
     const Index i = band_[open_[v]];
     for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
       const Index j = level.arcHead[arc];
-      if (s.label[j] != a_ && s.label[j] != b_) continue;
+      if (!inPair(j)) continue;
       const MaxFlow::Amount length = amountOf(level.arcLength[arc] * s.unit);
       const Index to = s.local[j] == kNone ? kNone : numberInGraph_[s.local[j]];
       if (to == kNone) {
@@ -154,6 +106,11 @@ void PairCut::solve() {
   }
 }
 
+bool PairCut::inPair(Index node) const {
+  const Index chart = labelOf(*state_, node);
+  return chart == a_ || chart == b_;
+}
+
 bool PairCut::isInA(Index node, std::span<const std::uint8_t> inA) const {
   const Index v = state_->local[node];
   return v == kNone ? state_->label[node] == a_ : inA[v] != 0;
@@ -175,7 +132,7 @@ void PairCut::flip(Index bandNode) {
   to.euler += level.euler[i];
   for (Index arc = level.arcBegin[i]; arc < level.arcBegin[i + 1]; ++arc) {
     const Index j = level.arcHead[arc];
-    if (s.label[j] != a_ && s.label[j] != b_) continue;
+    if (!inPair(j)) continue;
     const bool leaves = isInA(j, inA_) == wasA;
     now_.length += leaves ? level.arcLength[arc] : -level.arcLength[arc];
     SeamSums& chart = leaves ? from : to;
@@ -188,7 +145,7 @@ void PairCut::flip(Index bandNode) {
     for (Index n = level.cornerNodeBegin[corner]; n < level.cornerNodeBegin[corner + 1]; ++n) {
       const Index j = level.cornerNode[n];
       if (j == i) continue;
-      const bool pair = s.label[j] == a_ || s.label[j] == b_;
+      const bool pair = inPair(j);
       const bool withOld = pair && isInA(j, inA_) == wasA;
       inFrom = inFrom && withOld;
       inTo = inTo && pair && !withOld;
@@ -206,16 +163,19 @@ void PairCut::flip(Index bandNode) {
 }
 
 /// Keeps the present sides as a candidate.
-void PairCut::judge() {
+const PairCut::Figures& PairCut::judge() {
   SeamBalance after = *balance_;
   after.remove(state_->charts[a_].value);
   after.remove(state_->charts[b_].value);
   after.add(now_.a.value);
   after.add(now_.b.value);
   now_.energy = now_.length * state_->unit + after.energy() - balance_->energy();
+  now_.energy +=
+      state_->defect * (defects(now_.a, now_.b) - defects(state_->charts[a_], state_->charts[b_]));
   Candidate& candidate = candidates_[candidateCount_++];
   candidate.figures = now_;
   candidate.inA = inA_;
+  return candidate.figures;
 }
 
 /// Chart a shrinks as its price rises, so nodes on the same side at a lower and at a higher price
@@ -228,17 +188,25 @@ bool PairCut::narrow(const Candidate& low, const Candidate& high) {
   return !open_.empty();
 }
 
-/// Minimum cuts at several prices, closing in on the one that the resulting balance asks for.
+/// Minimum cuts at several prices, closing in on the one that the resulting balance asks for. Ends
+/// when no seam can be better than the best found by the least gain that counts.
 void PairCut::tryPrices(const Progress& progress) {
   open_.resize(band_.size());
   for (Index v = 0; v < band_.size(); ++v) open_[v] = v;
-  double price = balance_->price(now_.a.value, now_.b.value);
+  const double start = balance_->price(now_.a.value, now_.b.value);
+  double price = start;
   buildGraph(price);
   std::size_t low = kNone, high = kNone;  // candidates at the ends of the bracket
   double lowPrice = 0, highPrice = 0;
+  // What the energy may fall by beside the cut.
+  const double saved = state_->defect * defects(state_->charts[a_], state_->charts[b_]);
+  double best = 0, bound = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < kPrices && !progress.cancelled(); ++i) {
     solve();
-    judge();
+    const Figures& found = judge();
+    if (allowed(found)) best = std::min(best, found.energy);
+    bound = std::max(bound, lowerBound(price, start));
+    if (best - (bound - saved) <= state_->leastGain) return;
     SeamBalance after = *balance_;
     after.sum += now_.a.value + now_.b.value - state_->charts[a_].value - state_->charts[b_].value;
     const double asked = after.price(now_.a.value, now_.b.value);
@@ -259,6 +227,17 @@ void PairCut::tryPrices(const Progress& progress) {
     if (!narrow(candidates_[low], candidates_[high])) return;
     buildGraph(price);
   }
+}
+
+/// What no seam in the band can change the energy by more than, downwards, by the minimum cut at
+/// this price: balance as a function of what a has is convex, so it lies above its tangent of that
+/// slope. Up to the values at the seam itself, which prices share out between the sides.
+double PairCut::lowerBound(double price, double start) const {
+  const double cut = now_.length * state_->unit + price * (now_.a.value - state_->charts[a_].value);
+  if (price == start) return cut;
+  const double curvature = balance_->curvature();
+  if (!(curvature > 0)) return -std::numeric_limits<double>::infinity();
+  return cut - (price - start) * (price - start) / (2 * curvature);
 }
 
 /// The best candidate that keeps the charts whole; true when there is one.
@@ -297,8 +276,7 @@ bool PairCut::staysWhole(std::span<const std::uint8_t> inA) {
 bool PairCut::allowed(const Figures& after) const {
   const SeamChart& a = state_->charts[a_];
   const SeamChart& b = state_->charts[b_];
-  return diskDefect(after.a.euler) + diskDefect(after.b.euler) <=
-             diskDefect(a.euler) + diskDefect(b.euler) &&
+  return defects(after.a, after.b) <= defects(a, b) &&
          after.a.area >= std::min(state_->leastArea, a.area) &&
          after.b.area >= std::min(state_->leastArea, b.area);
 }
@@ -308,9 +286,7 @@ std::size_t PairCut::pieces(std::span<const std::uint8_t> inA, bool ofA) {
   SeamState& s = *state_;
   const SeamLevel& level = *s.level;
   std::size_t count = 0;
-  const auto belongs = [&](Index i) {
-    return (s.label[i] == a_ || s.label[i] == b_) && isInA(i, inA) == ofA;
-  };
+  const auto belongs = [&](Index i) { return inPair(i) && isInA(i, inA) == ofA; };
   for (const Index chart : {a_, b_}) {
     for (const Index start : s.charts[chart].nodes) {
       if (s.seen[start] || !belongs(start)) continue;

@@ -10,6 +10,7 @@
 #include "core/base/index.h"
 #include "core/base/progress.h"
 #include "core/segment/max_flow.h"
+#include "core/segment/pair_band.h"
 #include "core/segment/seam_balance.h"
 #include "core/segment/seam_state.h"
 
@@ -42,19 +43,20 @@ class PairCut {
     std::vector<std::uint8_t> inA;
   };
 
-  bool findBand();
   void prepareNodes();
   void buildGraph(double price);
   void setPrice(double price);
   void solve();
   void flip(Index bandNode);
-  void judge();
+  const Figures& judge();
   bool narrow(const Candidate& low, const Candidate& high);
   void tryPrices(const Progress& progress);
+  double lowerBound(double price, double start) const;
   bool choose();
   bool allowed(const Figures& after) const;
   bool staysWhole(std::span<const std::uint8_t> inA);
   std::size_t pieces(std::span<const std::uint8_t> inA, bool ofA);
+  bool inPair(Index node) const;
   bool isInA(Index node, std::span<const std::uint8_t> inA) const;
   void release();
 
@@ -68,7 +70,7 @@ class PairCut {
   std::vector<Index> open_;                ///< band nodes of the present graph
   std::vector<Index> numberInGraph_;       ///< of each band node, kNone for decided ones
   std::vector<MaxFlow::Amount> paid_;      ///< terminal of each node by the present price
-  std::vector<std::pair<double, Index>> heap_;
+  BandHeap heap_;
   std::vector<Index> queue_;
   Figures now_;
   std::vector<Candidate> candidates_;

@@ -34,6 +34,12 @@ struct SeamBalance {
     const double mean = sum / charts;
     return mean > 1e-12 ? weight * (squares / (charts * mean * mean) - 1) : 0;
   }
+  /// How much the price below rises with each unit of B that goes from b to a, where that is the
+  /// same everywhere; 0 where it is not.
+  double curvature() const {
+    const double mean = sum / charts;
+    return !oneSided() && mean > 1e-12 ? 4 * weight / (charts * mean * mean) : 0;
+  }
   /// What a unit of B costs more in a chart of size a than in one of size b.
   double price(double a, double b) const {
     if (oneSided()) {

@@ -21,9 +21,10 @@ namespace chartflood {
 ///   B_i = A(i) + eta * area(i),
 ///
 /// or with the one-sided balance of SeamBalance. Every chart stays in one piece and keeps at least
-/// a tenth of the mean area (or what it had), and the sum of max(0, 1 - Euler number) over the two
-/// charts of a cut never grows. Pairs of charts are cut in ascending order, those without a common
-/// chart in fixed batches on all threads, so the result does not depend on their number.
+/// a twenty-fifth of the mean area (or what it had), and the sum of max(0, 1 - Euler number) over
+/// the two charts of a cut never grows; where it falls, that counts as a width of a chart. Pairs of
+/// charts without a common chart are cut at the same time; those with one keep their order, so the
+/// result does not depend on the number of threads.
 class SeamCuts {
  public:
   struct Options {
@@ -47,6 +48,7 @@ class SeamCuts {
   /// A cancelled run goes on where it stopped.
   bool run(Progress& progress);
 
+  /// As of the last pass over all pairs that was ended, like energy() and record().
   std::span<const Index> labels() const;
   /// The energy above, of the present labels.
   double energy() const;

@@ -38,6 +38,8 @@ SeamTables makeSeamTables(const Mesh& mesh, const GaussArea& gauss,
 /// chart and over corners with all nodes in it.
 struct SeamLevel {
   std::vector<Index> nodeOfFace;
+  std::vector<Index> faceBegin;   ///< into faceOfNode, one entry more than nodes
+  std::vector<Index> faceOfNode;  ///< faces of each node, ascending
   // Of each node:
   std::vector<double> value;        ///< faces, edges and vertices that lie wholly inside
   std::vector<double> area;         ///< of the surface

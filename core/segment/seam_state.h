@@ -1,6 +1,7 @@
 #pragma once
 /// Charts over the nodes of a level while their seams move.
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -34,7 +35,17 @@ struct SeamState {
   double band = 0;       ///< width, normalised units
   double unit = 1;       ///< energy of a normalised unit of length
   double leastArea = 0;  ///< charts are not made smaller than this
+  double defect = 0;     ///< energy that a chart gains by getting nearer to a disk
+  double leastGain = 0;  ///< of energy, below which a cut is not looked for
 };
+
+/// The chart of a node that another thread may move between two other charts meanwhile.
+inline Index labelOf(SeamState& state, Index node) {
+  return std::atomic_ref(state.label[node]).load(std::memory_order_relaxed);
+}
+inline void setLabel(SeamState& state, Index node, Index chart) {
+  std::atomic_ref(state.label[node]).store(chart, std::memory_order_relaxed);
+}
 
 /// Sums of every chart from its nodes. \pre label and level are set
 void measureSeamCharts(SeamState& state, std::size_t charts);
