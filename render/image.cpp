@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 
 namespace chartflood {
 
@@ -95,6 +96,8 @@ std::vector<std::uint8_t> encodePng(const Image& image, const ImageTexts& texts)
                  opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    // Trying all filters takes longer and saves nothing on pictures of models.
+    png_set_filter(writer.png, 0, PNG_FILTER_PAETH);
     setTexts(writer, texts);
     png_write_info(writer.png, writer.info);
     if (opaque) png_set_filler(writer.png, 0, PNG_FILLER_AFTER);
@@ -216,11 +219,14 @@ Rgba8 blockMean(const Image& image, int left, int top, int factor) {
 Image shrinkImage(const Image& image, int factor) {
   if (factor == 1) return image;
   Image small(image.width() / factor, image.height() / factor);
-  for (int y = 0; y < small.height(); ++y) {
-    for (int x = 0; x < small.width(); ++x) {
-      small.at(x, y) = blockMean(image, x * factor, y * factor, factor);
-    }
-  }
+  parallelBlocks(static_cast<std::size_t>(small.height()), 32,
+                 [&](std::size_t begin, std::size_t end) {
+                   for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+                     for (int x = 0; x < small.width(); ++x) {
+                       small.at(x, y) = blockMean(image, x * factor, y * factor, factor);
+                     }
+                   }
+                 });
   return small;
 }
 

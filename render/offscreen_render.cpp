@@ -52,6 +52,12 @@ Image readFramebuffer(const gl::Framebuffer& framebuffer) {
 
 namespace {
 
+/// The length of equal parts of `whole`, none above `most`; the last may be shorter.
+int evenPart(int whole, int most) {
+  const int count = (whole + most - 1) / most;
+  return (whole + count - 1) / count;
+}
+
 /// Puts a picture together from parts that `draw` draws into framebuffers of their size, with
 /// widths and letters as large as the supersampling asks for.
 template <typename Draw>
@@ -65,12 +71,15 @@ Image renderParts(const RenderSettings& settings, const PictureSize& size, Draw&
   // Whole blocks of the average must lie inside a part.
   const int most = std::max(1, std::min(size.largestPart, limit) / factor);
 
+  // Of one size, as far as that goes, so that one framebuffer serves them all.
+  const int mostWidth = evenPart(size.width, most), mostHeight = evenPart(size.height, most);
+
   Image image(size.width, size.height);
   gl::Framebuffer target;
-  for (int top = 0; top < size.height; top += most) {
-    for (int left = 0; left < size.width; left += most) {
-      const int width = std::min(most, size.width - left);
-      const int height = std::min(most, size.height - top);
+  for (int top = 0; top < size.height; top += mostHeight) {
+    for (int left = 0; left < size.width; left += mostWidth) {
+      const int width = std::min(mostWidth, size.width - left);
+      const int height = std::min(mostHeight, size.height - top);
       const PicturePart part{size.width * factor, size.height * factor,
                              left * factor,       (size.height - top - height) * factor,
                              width * factor,      height * factor};

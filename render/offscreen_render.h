@@ -15,8 +15,9 @@ struct PictureSize {
   int supersampling = 1;
   /// Samples a pixel (clamped to the driver's); 1 for measuring.
   int samples = 4;
-  /// Pictures larger than this are drawn in parts.
-  int largestPart = 2048;
+  /// Pictures larger than this are drawn in parts: software drivers take some 40 bytes for each of
+  /// their pixels.
+  int largestPart = 1024;
 };
 
 /// Draws one picture; line widths and letters keep their size in its pixels for any supersampling.

@@ -34,28 +34,57 @@ std::vector<SeedMark> seedMarks(const Results& results) {
   return marks;
 }
 
-void fillFlat(Renderer& renderer, const Results& results) {
-  renderer.setCornerUv(cornerUv(*results.mesh, *results.charts, *results.atlas));
-  renderer.setCuts(cutSides(*results.charts));
-  renderer.setTriangleValues(ColorMode::Stretch, results.unwrap->stretch);
-  renderer.setTriangleValues(ColorMode::AreaDistortion, results.unwrap->area);
-  renderer.setTriangleValues(ColorMode::AngleDistortion, results.unwrap->angle);
+/// What a picture shows beside the model and its charts. The rest is not worked out at all: on a
+/// million triangles it takes longer than drawing.
+struct Needs {
+  bool gauss = false, flood = false, texture = false;
+};
+
+Needs needsOf(const Results& results, const PictureOptions& options, bool inTexture) {
+  const RenderSettings& settings = options.settings;
+  const ColorMode mode = settings.colorMode;
+  Needs needs;
+  needs.gauss = settings.sharpEdges || mode == ColorMode::GaussVertex ||
+                mode == ColorMode::GaussEdge || mode == ColorMode::GaussFace ||
+                mode == ColorMode::Gauss;
+  needs.flood = settings.playhead || options.floodFilm > 0 || mode == ColorMode::FloodTime ||
+                mode == ColorMode::FloodOrder || !results.segmentation->complete;
+  // Marks lie in the texture, too.
+  needs.texture = inTexture || options.view != PictureOptions::View::Model ||
+                  mode == ColorMode::Checkerboard || settings.problems;
+  return needs;
+}
+
+void fillFlat(Renderer& renderer, const Results& results, const RenderSettings& settings,
+              const Needs& needs) {
+  if (needs.texture) renderer.setCornerUv(cornerUv(*results.mesh, *results.charts, *results.atlas));
+  if (settings.cuts) renderer.setCuts(cutSides(*results.charts));
+  if (settings.colorMode == ColorMode::Stretch)
+    renderer.setTriangleValues(settings.colorMode, results.unwrap->stretch);
+  if (settings.colorMode == ColorMode::AreaDistortion)
+    renderer.setTriangleValues(settings.colorMode, results.unwrap->area);
+  if (settings.colorMode == ColorMode::AngleDistortion)
+    renderer.setTriangleValues(settings.colorMode, results.unwrap->angle);
 }
 
 float pixelScale(int width, int height) {
   return std::max(0.5f, static_cast<float>(std::min(width, height)) / kUsualSide);
 }
 
-void fill(Renderer& renderer, const Results& results, const PictureOptions& options) {
+void fill(Renderer& renderer, const Results& results, const PictureOptions& options,
+          bool inTexture = false) {
+  const Needs needs = needsOf(results, options, inTexture);
   const CornerNormals normals = computeCornerNormals(*results.mesh, results.parameters.sharpAngle);
   renderer.setMesh(results.mesh, &normals);
-  renderer.setGaussArea(results.gaussArea.get());
+  if (needs.gauss) renderer.setGaussArea(results.gaussArea.get());
   renderer.setChartColors(options.chartColors);
   renderer.setSegmentation(results.segmentation.get());
-  renderer.setFlood(results.record);
-  renderer.updateFlood();
+  if (needs.flood) {
+    renderer.setFlood(results.record);
+    renderer.updateFlood();
+  }
   renderer.setSeeds(seedMarks(results));
-  if (results.flat) fillFlat(renderer, results);
+  if (results.flat) fillFlat(renderer, results, options.settings, needs);
   // They belong to the finished charts.
   if (options.settings.problems && results.segmentation->complete && results.chartStats) {
     renderer.setMarks(problemMarks(*results.mesh, *results.segmentation, findProblems(results)));
@@ -89,13 +118,22 @@ Camera turntableCamera(const Results& results, const PictureOptions& options) {
   return camera;
 }
 
+/// Each part of a picture draws the whole model: few parts where that takes longer than memory for
+/// large ones is worth.
+int largestPart(const Mesh& mesh) {
+  constexpr std::size_t kManyTriangles = 2'000'000;
+  return mesh.triangleCount() > kManyTriangles ? 2048 : PictureSize().largestPart;
+}
+
 /// One picture with everything uploaded. `settings` are without the scale of lines and letters.
-Image drawView(Renderer& renderer, const PictureOptions& options, RenderSettings settings,
-               const Camera& camera) {
+Image drawView(Renderer& renderer, const Mesh& mesh, const PictureOptions& options,
+               RenderSettings settings, const Camera& camera) {
   using View = PictureOptions::View;
   if (settings.playhead) settings.problems = false;
-  const PictureSize size{
-      .width = options.width, .height = options.height, .supersampling = options.supersampling};
+  const PictureSize size{.width = options.width,
+                         .height = options.height,
+                         .supersampling = options.supersampling,
+                         .largestPart = largestPart(mesh)};
   settings.pixelScale = options.lineScale > 0 ? static_cast<float>(options.lineScale)
                                               : pixelScale(options.width, options.height);
   const UvCamera texture = options.uvCamera.value_or(UvCamera::whole());
@@ -114,7 +152,8 @@ Image drawPicture(const Results& results, const PictureOptions& options,
   const gl::CurrentScope current(*context);
   Renderer renderer;
   fill(renderer, results, options);
-  return drawView(renderer, options, options.settings, pictureCamera(results, options));
+  return drawView(renderer, *results.mesh, options, options.settings,
+                  pictureCamera(results, options));
 }
 
 void drawFrames(const Results& results, const PictureOptions& options, const std::string& backend,
@@ -134,7 +173,7 @@ void drawFrames(const Results& results, const PictureOptions& options, const std
     } else if (i + 1 < count) {  // the last one shows the charts with their tidied borders
       settings.playhead = results.record->size() * i / (count - 1);
     }
-    take(i, drawView(renderer, options, settings, camera));
+    take(i, drawView(renderer, *results.mesh, options, settings, camera));
   }
 }
 
@@ -143,10 +182,11 @@ Image drawTexture(const Results& results, const PictureOptions& options,
   const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
   const gl::CurrentScope current(*context);
   Renderer renderer;
-  fill(renderer, results, options);
+  fill(renderer, results, options, true);
   const PictureSize size{.width = results.atlas->textureSize,
                          .height = results.atlas->textureSize,
-                         .supersampling = options.supersampling};
+                         .supersampling = options.supersampling,
+                         .largestPart = largestPart(*results.mesh)};
   RenderSettings settings = options.settings;
   settings.scalarBar = false;
   // A layout lies over a texture unless a ground is asked for.

@@ -64,6 +64,7 @@ Framebuffer::Framebuffer(int width, int height, int samples)
 }
 
 void Framebuffer::bindForDrawing() const {
+  merged_ = false;
   glBindFramebuffer(GL_FRAMEBUFFER, draw_.id());
   glViewport(0, 0, width_, height_);
 }
@@ -72,8 +73,11 @@ void Framebuffer::resolve() const {
   if (samples_ > 1) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, draw_.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
-                      GL_NEAREST);
+    if (!merged_) {
+      glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
+                        GL_NEAREST);
+      merged_ = true;
+    }
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
   } else {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, draw_.id());

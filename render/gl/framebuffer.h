@@ -29,6 +29,7 @@ class Framebuffer {
 
  private:
   int width_ = 0, height_ = 0, samples_ = 1;
+  mutable bool merged_ = false;  ///< nothing was drawn since the samples were merged
   FramebufferObject draw_, resolved_;
   Renderbuffer color_, depth_;
   Texture resolvedColor_;
