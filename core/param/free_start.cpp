@@ -99,7 +99,7 @@ bool localGlobalSteps(const ChartShape& shape, int steps, const Progress& progre
     double energy = 0;
     for (std::size_t t = 0; t < rest.triangleCount(); ++t) {
       const PlaneMap map = planeMap(rest, t, uv);
-      const double length = std::abs(map.alpha);
+      const double length = std::sqrt(std::norm(map.alpha));  // far from both ends of the range
       const Complex turn = length > 0 ? map.alpha / length : Complex(1, 0);
       energy += 2 * rest.weight[t] * (std::norm(map.alpha - turn) + std::norm(map.beta));
       const auto pull = [&](const glm::dvec2& g) {

@@ -13,7 +13,7 @@ using Complex = std::complex<double>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Complex unitOf(const Complex& z) {
-  const double length = std::abs(z);
+  const double length = std::sqrt(std::norm(z));  // far from both ends of the range
   return length > 0 ? z / length : Complex(1, 0);
 }
 
@@ -40,7 +40,7 @@ MapModel modelOf(const PlaneMap& map, StepModel kind) {
   MapModel m;
   m.turn = unitOf(map.alpha);
   m.mirror = unitOf(map.beta);
-  const double s1 = std::abs(map.alpha) + std::abs(map.beta);
+  const double s1 = std::sqrt(std::norm(map.alpha)) + std::sqrt(std::norm(map.beta));
   const double s2 = map.determinant() / s1;
   const double c1 = 1 / (s1 * s1 * s1), c2 = 1 / (s2 * s2 * s2);
   const double f1 = 0.5 * (s1 - c1), f2 = 0.5 * (s2 - c2);  // first derivatives

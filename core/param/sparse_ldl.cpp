@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/matrix.hpp>
-
 #include "core/base/check.h"
+#include "core/param/dense_front.h"
 
 namespace chartflood {
 
@@ -13,62 +12,75 @@ namespace {
 
 using Complex = std::complex<double>;
 
-double adjoint(double a) { return a; }
 Complex adjoint(const Complex& a) { return std::conj(a); }
+double adjoint(double a) { return a; }
 glm::dmat2 adjoint(const glm::dmat2& a) { return glm::transpose(a); }
-
-// Products written out: the complex product of the library checks for NaN first.
-double times(double a, double b) { return a * b; }
-Complex times(const Complex& a, const Complex& b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
-glm::dmat2 times(const glm::dmat2& a, const glm::dmat2& b) { return a * b; }
-
-glm::dvec2 product(double a, const glm::dvec2& x) { return a * x; }
-glm::dvec2 product(const Complex& a, const glm::dvec2& x) {
-  return {a.real() * x.x - a.imag() * x.y, a.real() * x.y + a.imag() * x.x};
-}
-glm::dvec2 product(const glm::dmat2& a, const glm::dvec2& x) { return a * x; }
 
 // A number that an entry counts for when it is made larger.
 double sizeOf(double a) { return a; }
 double sizeOf(const Complex& a) { return a.real(); }
 double sizeOf(const glm::dmat2& a) { return a[0][0] + a[1][1]; }
 
-/// False when a pivot is not positive definite.
-bool invert(double pivot, double& inverse) {
-  inverse = 1 / pivot;
-  return pivot > 0 && std::isfinite(inverse);
-}
-bool invert(const Complex& pivot, Complex& inverse) {
-  inverse = 1 / pivot.real();
-  return pivot.real() > 0 && std::isfinite(inverse.real());
-}
-bool invert(const glm::dmat2& pivot, glm::dmat2& inverse) {
-  const double a = pivot[0][0], b = 0.5 * (pivot[0][1] + pivot[1][0]), d = pivot[1][1];
-  const double det = a * d - b * b;
-  inverse = glm::dmat2(d, -b, -b, a) / det;
-  return a > 0 && det > 0 && std::isfinite(inverse[0][0]) && std::isfinite(inverse[1][1]);
+// x -= l y, with l given by its parts; written out as the complex product of the library checks
+// for NaN first.
+void subtract(glm::dvec2& x, double l, double, const glm::dvec2& y) { x -= l * y; }
+void subtract(double& x, double l, double, double y) { x -= l * y; }
+void subtract(Complex& x, double re, double im, const Complex& y) {
+  x -= Complex(re * y.real() - im * y.imag(), re * y.imag() + im * y.real());
 }
 
 }  // namespace
 
+template <>
+struct SparseLdl<double>::Kind {
+  using Unknown = glm::dvec2;
+  static constexpr std::size_t kRows = 1, kParts = 1;
+  static Unknown get(const glm::dvec2& v, std::size_t) { return v; }
+  static void put(glm::dvec2& v, std::size_t, const Unknown& x) { v = x; }
+};
+template <>
+struct SparseLdl<Complex>::Kind {
+  using Unknown = Complex;
+  static constexpr std::size_t kRows = 1, kParts = 2;
+  static Unknown get(const glm::dvec2& v, std::size_t) { return {v.x, v.y}; }
+  static void put(glm::dvec2& v, std::size_t, const Unknown& x) { v = {x.real(), x.imag()}; }
+};
+/// Two rows of real numbers a vertex.
+template <>
+struct SparseLdl<glm::dmat2>::Kind {
+  using Unknown = double;
+  static constexpr std::size_t kRows = 2, kParts = 1;
+  static Unknown get(const glm::dvec2& v, std::size_t row) { return row == 0 ? v.x : v.y; }
+  static void put(glm::dvec2& v, std::size_t row, Unknown x) { (row == 0 ? v.x : v.y) = x; }
+};
+
 template <class Entry>
 SparseLdl<Entry>::SparseLdl(const SparsePattern& pattern)
-    : pattern_(pattern), diagonal_(pattern.size()), upper_(pattern.row.size()),
-      inverse_(pattern.size()), factor_(pattern.factorStart.back()),
-      factorRow_(pattern.factorStart.back()), filled_(pattern.size()), work_(pattern.size()),
-      mark_(pattern.size()), stack_(pattern.size()), permuted_(pattern.size()) {}
+    : pattern_(pattern), diagonal_(pattern.size()), lower_(pattern.row.size()),
+      inverse_(Kind::kRows * pattern.size()), local_(pattern.size()) {
+  const Supernodes& nodes = pattern.supernodes;
+  panelBegin_.assign(1, 0);
+  std::size_t largest = 0;
+  for (Index s = 0; s < nodes.count(); ++s) {
+    const std::size_t rows = Kind::kRows * nodes.size(s);
+    panelBegin_.push_back(panelBegin_.back() +
+                          Kind::kParts * rows * Kind::kRows * nodes.columns(s));
+    largest = std::max(largest, rows);
+  }
+  factor_ = std::make_unique_for_overwrite<double[]>(panelBegin_.back());
+  plane_ = largest * largest;
+  front_ = std::make_unique_for_overwrite<double[]>(Kind::kParts * plane_);
+}
 
 template <class Entry>
 void SparseLdl<Entry>::clear() {
   std::fill(diagonal_.begin(), diagonal_.end(), Entry(0));
-  std::fill(upper_.begin(), upper_.end(), Entry(0));
+  std::fill(lower_.begin(), lower_.end(), Entry(0));
 }
 
 template <class Entry>
 void SparseLdl<Entry>::addSide(Index side, const Entry& value) {
-  upper_[pattern_.sideSlot[side]] += pattern_.sideTurned[side] ? adjoint(value) : value;
+  lower_[pattern_.sideSlot[side]] += pattern_.sideTurned[side] ? adjoint(value) : value;
 }
 
 template <class Entry>
@@ -79,7 +91,7 @@ void SparseLdl<Entry>::fix(const std::vector<bool>& vertices) {
   for (std::size_t k = 0; k < fixed.size(); ++k) {
     if (fixed[k]) diagonal_[k] = Entry(1);
     for (Index e = p.columnStart[k]; e < p.columnStart[k + 1]; ++e) {
-      if (fixed[k] || fixed[p.row[e]]) upper_[e] = Entry(0);
+      if (fixed[k] || fixed[p.row[e]]) lower_[e] = Entry(0);
     }
   }
 }
@@ -89,72 +101,174 @@ void SparseLdl<Entry>::damp(double share) {
   for (Entry& entry : diagonal_) entry += Entry(share * sizeOf(entry));
 }
 
-/// One row of L from those above it (Davis 2005, "Algorithm 849").
+/// The front of a supernode with the entries of its own columns.
 template <class Entry>
-bool SparseLdl<Entry>::eliminate(Index k) {
+void SparseLdl<Entry>::assemble(Index s) {
   const SparsePattern& p = pattern_;
-  std::size_t top = stack_.size();
-  mark_[k] = k;
-  Entry pivot = diagonal_[k];
-  for (Index entry = p.columnStart[k]; entry < p.columnStart[k + 1]; ++entry) {
-    Index i = p.row[entry];
-    work_[i] += upper_[entry];
-    std::size_t length = 0;
-    for (; mark_[i] != k; i = p.parent[i]) {
-      stack_[length++] = i;
-      mark_[i] = k;
+  const Supernodes& nodes = p.supernodes;
+  const Index first = nodes.first[s], end = nodes.first[s + 1];
+  stride_ = Kind::kRows * nodes.size(s);
+  for (std::size_t part = 0; part < Kind::kParts; ++part) {
+    for (std::size_t j = 0; j < stride_; ++j) {
+      double* const column = &front_[part * plane_ + j * stride_];
+      std::fill(column + j, column + stride_, 0.0);
     }
-    while (length > 0) stack_[--top] = stack_[--length];
   }
-  for (; top < stack_.size(); ++top) {
-    const Index i = stack_[top];
-    const Entry y = work_[i];
-    work_[i] = Entry(0);
-    const std::size_t end = filled_[i];
-    for (std::size_t e = p.factorStart[i]; e < end; ++e) {
-      work_[factorRow_[e]] -= times(factor_[e], y);
+  for (Index k = first; k < end; ++k) local_[k] = k - first;
+  Index next = end - first;
+  for (const Index k : nodes.rows(s)) local_[k] = next++;
+  for (Index k = first; k < end; ++k) {
+    const std::size_t c = Kind::kRows * (k - first);
+    if constexpr (Kind::kRows == 2) {
+      const glm::dmat2& d = diagonal_[k];
+      *realPart(c, c) = d[0][0];
+      *realPart(c + 1, c) = 0.5 * (d[0][1] + d[1][0]);
+      *realPart(c + 1, c + 1) = d[1][1];
+    } else {
+      *realPart(c, c) = sizeOf(diagonal_[k]);
     }
-    const Entry l = times(adjoint(y), inverse_[i]);
-    pivot -= times(l, y);
-    factorRow_[end] = k;
-    factor_[end] = l;
-    ++filled_[i];
+    for (Index e = p.columnStart[k]; e < p.columnStart[k + 1]; ++e) {
+      const std::size_t r = Kind::kRows * local_[p.row[e]];
+      const Entry& entry = lower_[e];
+      if constexpr (Kind::kRows == 2) {
+        for (int j = 0; j < 2; ++j) {
+          for (int i = 0; i < 2; ++i) {
+            *realPart(r + static_cast<std::size_t>(i), c + static_cast<std::size_t>(j)) =
+                entry[j][i];
+          }
+        }
+      } else if constexpr (Kind::kParts == 2) {
+        *realPart(r, c) = entry.real();
+        realPart(r, c)[plane_] = entry.imag();
+      } else {
+        *realPart(r, c) = entry;
+      }
+    }
   }
-  return invert(pivot, inverse_[k]);
+}
+
+/// Adds what the newest child on the stack leaves, and takes it off.
+template <class Entry>
+void SparseLdl<Entry>::takeChild(Index child) {
+  const std::span<const Index> rows = pattern_.supernodes.rows(child);
+  const std::size_t size = Kind::kRows * rows.size();
+  const std::size_t begin = waitingEnd_ - Kind::kParts * size * size;
+  for (std::size_t part = 0; part < Kind::kParts; ++part) {
+    const double* from = &waiting_[begin + part * size * size];
+    double* const plane = &front_[part * plane_];
+    for (std::size_t c = 0; c < rows.size(); ++c) {
+      for (std::size_t b = 0; b < Kind::kRows; ++b, from += size) {
+        double* const column = plane + (Kind::kRows * local_[rows[c]] + b) * stride_;
+        for (std::size_t r = c; r < rows.size(); ++r) {
+          double* const to = column + Kind::kRows * local_[rows[r]];
+          for (std::size_t i = 0; i < Kind::kRows; ++i) to[i] += from[Kind::kRows * r + i];
+        }
+      }
+    }
+  }
+  waitingEnd_ = begin;
+}
+
+/// Copies the eliminated columns to the factor.
+template <class Entry>
+void SparseLdl<Entry>::keepColumns(Index s) {
+  const std::size_t entries = Kind::kRows * pattern_.supernodes.columns(s) * stride_;
+  for (std::size_t part = 0; part < Kind::kParts; ++part) {
+    std::copy_n(&front_[part * plane_], entries, &factor_[panelBegin_[s] + part * entries]);
+  }
+}
+
+/// Puts what a supernode leaves to others on the stack.
+template <class Entry>
+void SparseLdl<Entry>::passOn(Index s) {
+  const std::size_t columns = Kind::kRows * pattern_.supernodes.columns(s);
+  const std::size_t size = stride_ - columns;
+  std::size_t to = waitingEnd_;
+  waitingEnd_ += Kind::kParts * size * size;
+  if (waiting_.size() < waitingEnd_) waiting_.resize(waitingEnd_);
+  for (std::size_t part = 0; part < Kind::kParts; ++part) {
+    for (std::size_t j = 0; j < size; ++j, to += size) {
+      const double* const column = &front_[part * plane_ + (columns + j) * stride_ + columns];
+      std::copy(column + j, column + size, &waiting_[to + j]);
+    }
+  }
+  children_.push_back(s);
 }
 
 template <class Entry>
 bool SparseLdl<Entry>::factor() {
-  const auto size = static_cast<Index>(pattern_.size());
-  std::fill(mark_.begin(), mark_.end(), kNone);
-  std::fill(work_.begin(), work_.end(), Entry(0));
-  std::copy_n(pattern_.factorStart.begin(), size, filled_.begin());
-  for (Index k = 0; k < size; ++k) {
-    if (!eliminate(k)) return false;
+  const Supernodes& nodes = pattern_.supernodes;
+  waitingEnd_ = 0;
+  children_.clear();
+  for (Index s = 0; s < nodes.count(); ++s) {
+    assemble(s);
+    for (; !children_.empty() && nodes.parent[children_.back()] == s; children_.pop_back()) {
+      takeChild(children_.back());
+    }
+    const DenseFront front{front_.get(), Kind::kParts == 2 ? front_.get() + plane_ : nullptr,
+                           stride_, stride_};
+    const std::size_t columns = Kind::kRows * nodes.columns(s);
+    if (!eliminate(front, columns, &inverse_[Kind::kRows * nodes.first[s]])) return false;
+    keepColumns(s);
+    if (nodes.parent[s] != kNone) passOn(s);
   }
   return true;
 }
 
 template <class Entry>
 void SparseLdl<Entry>::solve(std::span<glm::dvec2> x) {
+  using Unknown = typename Kind::Unknown;
   const SparsePattern& p = pattern_;
+  const Supernodes& nodes = p.supernodes;
   CF_CHECK(x.size() == p.size());
-  for (std::size_t v = 0; v < x.size(); ++v) permuted_[p.place[v]] = x[v];
-  for (std::size_t j = 0; j < x.size(); ++j) {
-    const glm::dvec2 y = permuted_[j];
-    for (std::size_t e = p.factorStart[j]; e < p.factorStart[j + 1]; ++e) {
-      permuted_[factorRow_[e]] -= product(factor_[e], y);
+  std::vector<Unknown> all(Kind::kRows * p.size()), front;
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    for (std::size_t i = 0; i < Kind::kRows; ++i) {
+      all[Kind::kRows * p.place[v] + i] = Kind::get(x[v], i);
     }
-    permuted_[j] = product(inverse_[j], y);
   }
-  for (std::size_t j = x.size(); j-- > 0;) {
-    glm::dvec2 y = permuted_[j];
-    for (std::size_t e = p.factorStart[j]; e < p.factorStart[j + 1]; ++e) {
-      y -= product(adjoint(factor_[e]), permuted_[factorRow_[e]]);
+  const auto gather = [&](Index s) {
+    front.clear();
+    for (Index k = nodes.first[s]; k < nodes.first[s + 1]; ++k) {
+      for (std::size_t i = 0; i < Kind::kRows; ++i) front.push_back(all[Kind::kRows * k + i]);
     }
-    permuted_[j] = y;
+    for (const Index k : nodes.rows(s)) {
+      for (std::size_t i = 0; i < Kind::kRows; ++i) front.push_back(all[Kind::kRows * k + i]);
+    }
+  };
+  for (Index s = 0; s < nodes.count(); ++s) {
+    gather(s);
+    const std::size_t columns = Kind::kRows * nodes.columns(s), size = front.size();
+    const double* column = &factor_[panelBegin_[s]];
+    const double* imaginary = Kind::kParts == 2 ? column + columns * size : column;
+    for (std::size_t j = 0; j < columns; ++j, column += size, imaginary += size) {
+      const Unknown y = front[j];
+      for (std::size_t i = j + 1; i < size; ++i) subtract(front[i], column[i], imaginary[i], y);
+    }
+    std::copy_n(front.begin(), columns, &all[Kind::kRows * nodes.first[s]]);
+    std::size_t from = columns;
+    for (const Index k : nodes.rows(s)) {
+      for (std::size_t i = 0; i < Kind::kRows; ++i) all[Kind::kRows * k + i] = front[from++];
+    }
   }
-  for (std::size_t v = 0; v < x.size(); ++v) x[v] = permuted_[p.place[v]];
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] *= inverse_[i];
+  for (Index s = static_cast<Index>(nodes.count()); s-- > 0;) {
+    gather(s);
+    const std::size_t columns = Kind::kRows * nodes.columns(s), size = front.size();
+    for (std::size_t j = columns; j-- > 0;) {
+      const double* const column = &factor_[panelBegin_[s] + j * size];
+      const double* const imaginary = Kind::kParts == 2 ? column + columns * size : column;
+      Unknown y = front[j];
+      for (std::size_t i = j + 1; i < size; ++i) subtract(y, column[i], -imaginary[i], front[i]);
+      front[j] = y;
+    }
+    std::copy_n(front.begin(), columns, &all[Kind::kRows * nodes.first[s]]);
+  }
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    for (std::size_t i = 0; i < Kind::kRows; ++i) {
+      Kind::put(x[v], i, all[Kind::kRows * p.place[v] + i]);
+    }
+  }
 }
 
 template class SparseLdl<double>;

@@ -1,10 +1,12 @@
+#include "core/param/sparse_pattern.h"
+
 #include <algorithm>
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
 #include "core/base/check.h"
-#include "core/param/sparse_ldl.h"
+#include "core/param/supernodes.h"
 
 namespace chartflood {
 
@@ -39,63 +41,84 @@ std::vector<Index> minimumDegree(std::span<const std::array<Index, 3>> triangles
   return vertices;
 }
 
-/// Elimination tree and size of each column of the factor (Liu 1990; Davis 2005).
-void analyse(SparsePattern& p) {
-  const auto size = static_cast<Index>(p.size());
-  std::vector<Index> mark(size, kNone);
-  std::vector<std::size_t> count(size, 0);
-  p.parent.assign(size, kNone);
-  for (Index k = 0; k < size; ++k) {
-    mark[k] = k;
-    for (Index entry = p.columnStart[k]; entry < p.columnStart[k + 1]; ++entry) {
-      for (Index i = p.row[entry]; mark[i] != k; i = p.parent[i]) {
-        if (p.parent[i] == kNone) p.parent[i] = k;
-        ++count[i];
-        mark[i] = k;
-      }
-    }
+/// The two ends of each side, in places.
+struct Sides {
+  std::vector<Index> low, high;
+};
+
+Sides sidesOf(std::span<const std::array<Index, 3>> triangles, std::span<const Index> place) {
+  Sides sides;
+  sides.low.resize(3 * triangles.size());
+  sides.high.resize(3 * triangles.size());
+  for (std::size_t side = 0; side < sides.low.size(); ++side) {
+    const auto& t = triangles[side / 3];
+    const Index a = place[t[side % 3]], b = place[t[side % 3 == 2 ? 0 : side % 3 + 1]];
+    CF_CHECK(a != b);
+    sides.low[side] = std::min(a, b);
+    sides.high[side] = std::max(a, b);
   }
-  p.factorStart.assign(size + 1, 0);
-  for (Index k = 0; k < size; ++k) p.factorStart[k + 1] = p.factorStart[k] + count[k];
+  return sides;
+}
+
+/// Entries of a matrix, each once: rows ascending, column after column.
+struct Columns {
+  std::vector<Index> start, row;
+};
+
+Columns columnsOf(std::span<const Index> column, std::span<const Index> row, std::size_t size) {
+  std::vector<Index> begin(size + 2, 0), sorted(row.size());
+  for (const Index k : column) ++begin[k + 2];
+  for (std::size_t k = 2; k < begin.size(); ++k) begin[k] += begin[k - 1];
+  for (std::size_t e = 0; e < row.size(); ++e) sorted[begin[column[e] + 1]++] = row[e];
+  Columns columns{{0}, {}};
+  for (std::size_t k = 0; k < size; ++k) {
+    const auto first = sorted.begin() + begin[k], last = sorted.begin() + begin[k + 1];
+    std::sort(first, last);
+    columns.row.insert(columns.row.end(), first, std::unique(first, last));
+    columns.start.push_back(static_cast<Index>(columns.row.size()));
+  }
+  return columns;
+}
+
+/// Renames columns so that each follows its descendants.
+EliminationTree inPostorder(const EliminationTree& tree, std::span<Index> place) {
+  const std::vector<Index> order = postorder(tree);
+  std::vector<Index> renamed(order.size());
+  for (Index k = 0; k < order.size(); ++k) renamed[order[k]] = k;
+  EliminationTree ordered{std::vector<Index>(order.size()), std::vector<Index>(order.size())};
+  for (Index k = 0; k < order.size(); ++k) {
+    const Index parent = tree.parent[order[k]];
+    ordered.parent[k] = parent == kNone ? kNone : renamed[parent];
+    ordered.count[k] = tree.count[order[k]];
+  }
+  for (Index& p : place) p = renamed[p];
+  return ordered;
 }
 
 }  // namespace
 
 SparsePattern::SparsePattern(std::span<const std::array<Index, 3>> triangles,
                              std::size_t vertexCount)
-    : place(vertexCount), columnStart(vertexCount + 1, 0) {
+    : place(vertexCount) {
   const std::vector<Index> order = minimumDegree(triangles, vertexCount);
   for (Index k = 0; k < vertexCount; ++k) place[order[k]] = k;
-  // Sort the sides' entries into columns, then drop those that stand twice.
-  sideSlot.resize(3 * triangles.size());
-  sideTurned.resize(3 * triangles.size());
-  std::vector<Index> low(sideSlot.size()), high(sideSlot.size()), fill(vertexCount + 1, 0);
+  Sides sides = sidesOf(triangles, place);
+  const Columns upper = columnsOf(sides.high, sides.low, vertexCount);
+  const EliminationTree tree = inPostorder(eliminationTree(upper.start, upper.row), place);
+  sides = sidesOf(triangles, place);
+  Columns lower = columnsOf(sides.low, sides.high, vertexCount);
+  columnStart = std::move(lower.start);
+  row = std::move(lower.row);
+  sideSlot.resize(sides.low.size());
+  sideTurned.resize(sides.low.size());
   for (std::size_t side = 0; side < sideSlot.size(); ++side) {
-    const auto& t = triangles[side / 3];
-    const Index a = place[t[side % 3]], b = place[t[side % 3 == 2 ? 0 : side % 3 + 1]];
-    CF_CHECK(a != b);
-    sideTurned[side] = a > b;
-    low[side] = std::min(a, b);
-    high[side] = std::max(a, b);
-    ++fill[high[side] + 1];
+    const auto begin = row.begin() + columnStart[sides.low[side]];
+    const auto end = row.begin() + columnStart[sides.low[side] + 1];
+    sideSlot[side] =
+        static_cast<Index>(std::lower_bound(begin, end, sides.high[side]) - row.begin());
+    sideTurned[side] = place[triangles[side / 3][side % 3]] == sides.low[side];
   }
-  for (std::size_t k = 0; k < vertexCount; ++k) fill[k + 1] += fill[k];
-  std::vector<Index> sorted(sideSlot.size()), next(fill.begin(), fill.end() - 1);
-  for (std::size_t side = 0; side < sideSlot.size(); ++side) {
-    sorted[next[high[side]]++] = low[side];
-  }
-  for (std::size_t k = 0; k < vertexCount; ++k) {
-    const auto begin = sorted.begin() + fill[k], end = sorted.begin() + fill[k + 1];
-    std::sort(begin, end);
-    row.insert(row.end(), begin, std::unique(begin, end));
-    columnStart[k + 1] = static_cast<Index>(row.size());
-  }
-  for (std::size_t side = 0; side < sideSlot.size(); ++side) {
-    const auto begin = row.begin() + columnStart[high[side]];
-    const auto end = row.begin() + columnStart[high[side] + 1];
-    sideSlot[side] = static_cast<Index>(std::lower_bound(begin, end, low[side]) - row.begin());
-  }
-  analyse(*this);
+  supernodes = findSupernodes(tree, columnStart, row);
 }
 
 }  // namespace chartflood
