@@ -16,6 +16,11 @@ namespace {
 /// Share of the square that the charts should cover when they are placed one by one: more than
 /// they can, so that squeezing starts from charts that overlap a little.
 constexpr double kFirstFill = 0.78;
+/// Where charts stay hooked into each other, the next try leaves more room, down to this share.
+constexpr double kLeastFill = 0.08;
+/// How deep charts lie in each other that are hooked, in 1024ths of the square's side, and how much
+/// smaller they must become at the end to come apart.
+constexpr double kHookedDepth = 2, kHookedCost = 1.5;
 /// Turns tried for every chart that is placed; fewer where there are many charts.
 constexpr int kTurns = 20;
 constexpr int kStartSteps = 60, kRoundSteps = 40;
@@ -73,13 +78,18 @@ class Search {
   Squeezed start(Rng& rng) const {
     std::vector<Index> all(shapes_.size());
     for (Index i = 0; i < all.size(); ++i) all[i] = i;
-    const double side = std::sqrt(1 / kFirstFill);
-    Squeezed next{{side, std::vector<Pose>(shapes_.size())}, 0, {}};
-    FreeSpace space = emptySpace(side);
-    place(next.layout, space, largeFirst(all, 0.3, rng), rng);
     Squeezer squeezer(shapes_, gaps_);
-    squeeze(next, squeezer, kStartDepths, kStartSteps, nullptr);
-    return next;
+    Squeezed best{{}, INFINITY, {}};
+    for (double fill = kFirstFill; fill > kLeastFill && !progress_.cancelled(); fill *= 0.7) {
+      const double side = std::sqrt(1 / fill);
+      Squeezed next{{side, std::vector<Pose>(shapes_.size())}, 0, {}};
+      FreeSpace space = emptySpace(side);
+      place(next.layout, space, largeFirst(all, 0.3, rng), rng);
+      squeeze(next, squeezer, kStartDepths, kStartSteps, nullptr);
+      if (denser(next, best)) best = std::move(next);
+      if (!hooked(best.layout, squeezer)) break;
+    }
+    return best;
   }
 
   /// A layout on its way to a denser one.
@@ -178,6 +188,11 @@ class Search {
     return some;
   }
 
+  /// Whether thin shapes lie across each other, which no pressing takes apart.
+  static bool hooked(const PackLayout& layout, const Squeezer& squeezer) {
+    return squeezer.depth() > kHookedDepth / 1024 * layout.side;
+  }
+
   /// False, and given up early, when it falls behind `best`.
   bool squeeze(Squeezed& next, Squeezer& squeezer, std::span<const double> depths, int steps,
                const Squeezed* best) const {
@@ -203,6 +218,7 @@ class Search {
       }
     }
     next.side = next.layout.side * (1 + squeezer.depth() / kRadius);
+    if (hooked(next.layout, squeezer)) next.side *= kHookedCost;
     return true;
   }
 

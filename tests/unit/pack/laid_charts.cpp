@@ -54,6 +54,19 @@ void LaidCharts::addRing(double inner, double outer, int parts) {
   add(vertices, triangles);
 }
 
+void LaidCharts::addCross(double halfWidth) {
+  Polygon vertices{{0, 0}};
+  for (const glm::dvec2& arm : {glm::dvec2(1, 0), {0, 1}, {-1, 0}, {0, -1}}) {
+    const glm::dvec2 left = halfWidth * glm::dvec2(-arm.y, arm.x);
+    vertices.push_back(halfWidth * arm - left);
+    vertices.push_back(arm - left);
+    vertices.push_back(arm + left);
+  }
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index i = 0; i < 12; ++i) triangles.push_back({0, 1 + i, 1 + (i + 1) % 12});
+  add(vertices, triangles);
+}
+
 void LaidCharts::addBlob(double radius, Rng& rng) {
   constexpr int kCorners = 40;
   const auto unit = [&rng] { return rng.below(1000) / 1000.0; };

@@ -26,6 +26,8 @@ struct LaidCharts {
   void addRectangle(double width, double height);
   /// A band around a hole, cut open along one radius.
   void addRing(double inner, double outer, int parts);
+  /// Four arms of length 1 that are thin.
+  void addCross(double halfWidth);
   /// A round, uneven shape of about the given radius; now and then with long thin arms.
   void addBlob(double radius, Rng& rng);
   /// A chart that is not laid flat.

@@ -133,6 +133,16 @@ TEST(PackedLayout, SmallChartsUseHoles) {
   EXPECT_GT(atlas->placement[0].scale, 0.97 * ring->placement[0].scale);
 }
 
+TEST(PackedLayout, ThinChartsDoNotStayAcrossEachOther) {
+  LaidCharts laid;
+  for (int i = 0; i < 12; ++i) laid.addCross(0.08);
+  const auto atlas = laid.layout({kPacked, 512, 2});
+  expectSound(laid, *atlas);
+  expectApart(laid, *atlas);
+  // Cells of a grid, where a search that finds nothing ends, cover 0.19.
+  EXPECT_GT(atlas->efficiency, 0.26);
+}
+
 TEST(PackedLayout, OneLargeAndManyTiny) {
   LaidCharts laid;
   Rng rng(5);
