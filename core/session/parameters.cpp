@@ -174,6 +174,18 @@ bool firstDifference(const Parameters& a, const Parameters& b, Stage& stage) {
   return differs;
 }
 
+bool differOnlyInRounds(const Parameters& a, const Parameters& b) {
+  Parameters same = a;
+  same.offsets = b.offsets;
+  same.offsetDamping = b.offsetDamping;
+  same.maxIterations = b.maxIterations;
+  same.patience = b.patience;
+  same.keep = b.keep;
+  same.detectCycles = b.detectCycles;
+  same.settle = b.settle;
+  return a != b && same == b;
+}
+
 Parameters applyPreset(const Parameters& base, const Preset& preset) {
   Parameters values;
   values.charts = base.charts;

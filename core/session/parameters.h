@@ -131,6 +131,10 @@ std::string parameterText(const ParameterValue& value);
 /// The first stage in which two sets of values differ; false when none does.
 bool firstDifference(const Parameters& a, const Parameters& b, Stage& stage);
 
+/// True when values differ in nothing but how rounds go on and end: charts that were finished are the
+/// same with both.
+bool differOnlyInRounds(const Parameters& a, const Parameters& b);
+
 /// Named values for a purpose.
 struct Preset {
   const char* id;     ///< "paper"

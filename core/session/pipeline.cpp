@@ -130,6 +130,10 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
     locksChanged_ = true;
     return false;
   }
+  // Nor do rounds to come change charts that are finished.
+  const bool onlyRounds = differOnlyInRounds(before.parameters, document.parameters) &&
+                          before.seeds == document.seeds && before.hints == document.hints;
+  if (finished() && onlyRounds) return false;
   const bool hadCharts = stepper_ != nullptr || segmentation_ != nullptr;
   // Another method begins from its own seeds: where charts were finished, its own are made.
   const bool otherMethod = finished() && (document.parameters.method != before.parameters.method ||

@@ -166,6 +166,28 @@ TEST_P(SessionWith, CleanUpSliderTidiesAgain) {
   EXPECT_EQ(session_.results()->segmentation->label, run->segmentation->label);
 }
 
+TEST_P(SessionWith, WhatOnlyRoundsHeedLeavesFinishedChartsAlone) {
+  openSample("bumps", 5000);
+  const auto run = after(StepUnit::Converged);
+  ASSERT_GT(run->history.size(), 1u);
+  set([](Document& d) {
+    d.parameters.offsetDamping = 0.7;
+    d.parameters.offsets = false;
+    d.parameters.maxIterations = 9;
+    d.parameters.patience = 2;
+    d.parameters.keep = "last";
+    d.parameters.detectCycles = false;
+    d.parameters.settle = 0;
+  });
+  const auto same = session_.results();
+  EXPECT_EQ(same->segmentation, run->segmentation);
+  EXPECT_EQ(same->history.size(), run->history.size());
+  EXPECT_TRUE(same->finished);
+  EXPECT_EQ(same->parameters.offsetDamping, 0.7);
+  EXPECT_EQ(after(StepUnit::Converged)->stopReason, StopReason::NoImprovement);  // by the new rules
+  EXPECT_LE(session_.results()->history.size(), 9u);
+}
+
 TEST_P(SessionWith, GoesOnFromFinishedCharts) {
   openSample("bumps", 5000);
   for (const char* refine : {"cuts", "moves", "none"}) {
