@@ -4,7 +4,6 @@
 
 #include "core/base/check.h"
 #include "core/flood/arc_store.h"
-#include "core/flood/band_store.h"
 #include "core/flood/flood_engine.h"
 #include "core/flood/node_store.h"
 #include "core/flood/triangle_store.h"
@@ -29,15 +28,14 @@ double meanDelay(const FloodGraph& graph) {
 }
 
 /// With labels as narrow as the number of charts allows.
-template <template <class> class Store>
+template <bool kHubs>
 std::unique_ptr<Flood> makeNarrow(const FloodGraph& graph, std::size_t charts, double meanDelay) {
-  if (charts <= Store<std::uint8_t>::kMaxCharts) {
-    return std::make_unique<FloodEngine<Store<std::uint8_t>>>(graph, meanDelay);
-  }
-  if (charts <= Store<std::uint16_t>::kMaxCharts) {
-    return std::make_unique<FloodEngine<Store<std::uint16_t>>>(graph, meanDelay);
-  }
-  return std::make_unique<FloodEngine<Store<std::uint32_t>>>(graph, meanDelay);
+  const auto make = [&]<class Label>(Label) {
+    return std::make_unique<FloodEngine<TriangleStore<Label, kHubs>>>(graph, meanDelay);
+  };
+  if (charts <= TriangleStore<std::uint8_t, kHubs>::kMaxCharts) return make(std::uint8_t{});
+  if (charts <= TriangleStore<std::uint16_t, kHubs>::kMaxCharts) return make(std::uint16_t{});
+  return make(std::uint32_t{});
 }
 
 }  // namespace
@@ -48,8 +46,8 @@ std::unique_ptr<Flood> makeFlood(const FloodGraph& graph, std::size_t chartCount
     CF_CHECK(!graph.packed());
     return std::make_unique<FloodEngine<NodeStore>>(graph, mean);
   }
-  if (graph.packed()) return makeNarrow<TriangleStore>(graph, chartCount, mean);
-  if (graph.firstHub != kNone) return makeNarrow<BandStore>(graph, chartCount, mean);
+  if (!graph.hubs.empty()) return makeNarrow<true>(graph, chartCount, mean);
+  if (graph.packed()) return makeNarrow<false>(graph, chartCount, mean);
   return std::make_unique<FloodEngine<ArcStore>>(graph, mean);
 }
 

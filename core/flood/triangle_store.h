@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/base/index.h"
@@ -12,16 +13,17 @@
 
 namespace chartflood {
 
-/// `Label` is an unsigned type that holds every chart number and two more values.
-template <class Label>
+/// \tparam Label an unsigned type that holds every chart number and two more values
+/// \tparam kHubs the graph has hubs behind its triangles; their distance to borders is not asked
+/// for
+template <class Label, bool kHubs = false>
 class TriangleStore {
  public:
   explicit TriangleStore(const FloodGraph& graph) : graph_(graph), corners_(graph) {
-    dry_.resize(graph.faceCount);
-    for (std::size_t f = 0; f < graph.faceCount; ++f) {
-      dry_[f].own = kFree;
+    dry_.assign(graph.faceCount, {kFree, {kWall, kWall, kWall}});
+    for (std::size_t f = 0; f < graph.faces.size(); ++f) {
       for (int k = 0; k < 3; ++k) {
-        dry_[f].across[k] = graph.faces[f].neighbour[k] == kNone ? kWall : kFree;
+        if (graph.faces[f].neighbour[k] != kNone) dry_[f].across[k] = kFree;
       }
       sharesSides_ = sharesSides_ || sharesSides(graph.faces[f]);
     }
@@ -42,9 +44,15 @@ class TriangleStore {
 
   /// Labels the face and tells its neighbours.
   void take(Index face, Index chart) {
-    const FloodFace& record = graph_.faces[face];
     const Label label = static_cast<Label>(chart);
     words_[face].own = label;
+    if (isHub(face)) {
+      for (const FloodHubSide& at : hubSides(face))
+        words_[at.side >> 2].across[at.side & 3] = label;
+      for (const FloodCorner& c : hubCorners(face)) corners_.take(c.corner, c.times, chart);
+      return;
+    }
+    const FloodFace& record = graph_.faces[face];
     for (const Index n : record.neighbour) {
       if (n != kNone) words_[n >> 2].across[n & 3] = label;
     }
@@ -57,6 +65,7 @@ class TriangleStore {
   /// Gauss area (plus eta times area) that `chart` gains by the face (Delta A_G of section 3.3).
   /// Few single-precision terms added in double: exact in any order.
   double gain(Index face, Index chart) const {
+    if (isHub(face)) return static_cast<double>(hub(face).gain);
     const FloodFace& record = graph_.faces[face];
     if (record.extra == 0) return static_cast<double>(record.gain);
     const FloodExtra& extra = graph_.extras[record.extra];
@@ -72,6 +81,15 @@ class TriangleStore {
   /// no other face of the chart has offered before ("first incidence").
   template <class Offer>
   void forEachOffer(Index face, Index chart, float time, const Offer& offer) const {
+    if (isHub(face)) {
+      // Nothing else of the chart has been taken yet.
+      Index last = kNone;
+      for (const FloodHubSide& at : hubSides(face)) {
+        if (at.side >> 2 != last) offer(at.side >> 2, time + at.delay);
+        last = at.side >> 2;
+      }
+      return;
+    }
     sharesSides_ ? offerAll<true>(face, chart, time, offer)
                  : offerAll<false>(face, chart, time, offer);
   }
@@ -85,6 +103,7 @@ class TriangleStore {
   /// Calls `visit(neighbour, delay)` for each neighbour in the same chart.
   template <class Visit>
   void forEachInside(Index face, const Visit& visit) const {
+    if (isHub(face)) return;
     const FloodFace& record = graph_.faces[face];
     const Word& word = words_[face];
     for (int k = 0; k < 3; ++k) {
@@ -93,17 +112,28 @@ class TriangleStore {
   }
 
   void prefetchFace(Index face) const {
-    __builtin_prefetch(&graph_.faces[face]);
+    __builtin_prefetch(graph_.faces.data() + face);
     __builtin_prefetch(&words_[face], 1);
   }
   /// Fetches what taking the face will write; its record should be at hand already.
   void prefetchNeighbours(Index face) const {
+    if (isHub(face)) return;
     for (const Index n : graph_.faces[face].neighbour) {
       if (n != kNone) __builtin_prefetch(&words_[n >> 2], 1);
     }
   }
 
  private:
+  bool isHub(Index face) const { return kHubs && face >= graph_.faces.size(); }
+  const FloodHub& hub(Index face) const { return graph_.hubs[face - graph_.faces.size()]; }
+  std::span<const FloodHubSide> hubSides(Index face) const {
+    const Index begin = face == graph_.faces.size() ? 0 : hub(face - 1).sideEnd;
+    return std::span(graph_.hubSides).subspan(begin, hub(face).sideEnd - begin);
+  }
+  std::span<const FloodCorner> hubCorners(Index face) const {
+    const Index begin = face == graph_.faces.size() ? 0 : hub(face - 1).cornerEnd;
+    return std::span(graph_.hubCorners).subspan(begin, hub(face).cornerEnd - begin);
+  }
   static bool sharesSides(const FloodFace& face) {
     const auto across = [&](int k) { return face.neighbour[k] >> 2; };
     return (face.neighbour[0] != kNone && (across(0) == across(1) || across(0) == across(2))) ||

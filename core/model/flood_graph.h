@@ -48,14 +48,33 @@ struct FloodCorner {
   Index times;
 };
 
-/// Exactly one of the two layouts is filled: `faces` when every face is a triangle, else the arcs.
+/// A node of any size beside triangles, such as what stays of a chart: its sides and corners follow
+/// those of the hub before.
+struct FloodHub {
+  float gain;
+  Index sideEnd;    ///< in FloodGraph::hubSides
+  Index cornerEnd;  ///< in FloodGraph::hubCorners
+};
+
+/// A side of a triangle against a hub.
+struct FloodHubSide {
+  Index side;   ///< triangle times 4 plus the side's number (0..2); its neighbour is kNone there
+  float delay;  ///< into the triangle, the same for all its sides against the hub
+};
+
+/// Exactly one of the two layouts is filled: `faces` and hubs when every face is a triangle, else
+/// the arcs.
 struct FloodGraph {
   FloodSpeeds speeds;
-  std::size_t faceCount = 0;
-  double eta = 0;  ///< steradians that one squared normalised unit of surface counts as
+  std::size_t faceCount = 0;  ///< with the hubs
+  double eta = 0;             ///< steradians that one squared normalised unit of surface counts as
 
   std::vector<FloodFace> faces;
   std::vector<FloodExtra> extras;  ///< entry 0 is unused
+  /// Numbered behind the triangles; all are seeds of every flood.
+  std::vector<FloodHub> hubs;
+  std::vector<FloodHubSide> hubSides;   ///< of each hub, sides of the same triangle in a row
+  std::vector<FloodCorner> hubCorners;  ///< corners that triangles touch as well
 
   std::vector<float> gain;      ///< of each face, as in FloodFace
   std::vector<Index> arcBegin;  ///< faceCount + 1 entries
@@ -63,14 +82,11 @@ struct FloodGraph {
   std::vector<Index> cornerBegin;  ///< faceCount + 1 entries into `corners`
   std::vector<FloodCorner> corners;
   std::vector<std::uint8_t> atMeshBorder;  ///< of each face
-  /// Nodes from here on are seeds of every flood; all before have up to three arcs. kNone: no such
-  /// graph.
-  Index firstHub = kNone;
 
   std::vector<float> cornerGain;   ///< Gauss area of each corner
   std::vector<Index> cornerTimes;  ///< how often faces touch it: the size of its fan
 
-  bool packed() const { return !faces.empty(); }
+  bool packed() const { return !faces.empty() || !hubs.empty(); }
 };
 
 }  // namespace chartflood

@@ -15,7 +15,7 @@
 #include "core/segment/coarse_graph.h"
 #include "core/segment/flood_rounds.h"
 #include "core/segment/node_flood.h"
-#include "core/segment/offsets.h"
+#include "core/segment/offset_steps.h"
 #include "core/segment/round_plan.h"
 #include "core/segment/seam_band.h"
 #include "core/segment/seeds.h"
@@ -26,20 +26,21 @@ namespace {
 
 constexpr std::size_t kAllFaces = std::numeric_limits<std::size_t>::max();
 // S is sqrt(n) std / mean.
-constexpr double kUnevenCoarse = 0.1;    // S that other seeds may better: a band cannot absorb it
-constexpr double kEvenBand = 0.01;       // S that is good enough
-constexpr double kBandDamping = 0.6;     // rests do not move: most can be put right at once
-constexpr std::size_t kBandRounds = 12;  // at most
+constexpr double kUnevenCoarse = 0.1;   // S that other seeds may better: a band cannot absorb it
+constexpr double kEvenBand = 0.01;      // S that is good enough
+constexpr std::size_t kBandRounds = 8;  // at most
 constexpr std::size_t kBandPatience = 3;
-constexpr std::size_t kOtherStarts = 3;
-constexpr double kRings = 16;  // of the band up to so many faces
-constexpr double kRingsFaces = 2.5e6;
+constexpr std::size_t kOtherStarts = 2;
+constexpr std::size_t kWideCluster = 64;  // faces: one such on each side of a seam is enough
 constexpr std::uint32_t kSeedStep = 0x9e3779b9u;  // between the generator seeds of other starts
 
-std::size_t bandRings(std::size_t faces) {
-  const double finer = std::sqrt(static_cast<double>(faces) / kRingsFaces);
-  return static_cast<std::size_t>(std::lround(kRings * std::max(1.0, finer)));
+/// Clusters that the band takes in on each side of a seam.
+std::size_t bandRings(std::size_t faces, std::size_t clusters) {
+  return faces < kWideCluster * clusters ? 2 : 1;
 }
+
+/// Rounds of clusters without gain: the band evens out what more of them would.
+std::size_t coarsePatience(std::size_t patience) { return (7 * patience + 9) / 10; }
 
 std::size_t bandRoundsOf(std::size_t maxIterations) {
   return std::clamp<std::size_t>(maxIterations / 4, 1, kBandRounds);
@@ -145,7 +146,7 @@ class FastFlooding final : public FloodRounds {
   void planNext() override {
     if (!inBand()) return plan_.plan(coarseFlood_->flood(), chartGauss_, locked_);
     nextBand_ = fast_.band;
-    updateOffsets(nextBand_, chartGauss_, kBandDamping);
+    bandSteps_.update(nextBand_, chartGauss_);
   }
 
   Judgement judge() override {
@@ -211,6 +212,7 @@ class FastFlooding final : public FloodRounds {
     progress.beginPhase("Freeing faces around the seams");
     setBase(makeBase(best_.seeds, best_.offsets));
     bandRounds_ = lastGain_ = 0;
+    bandSteps_.reset();
     fast_.band.assign(best_.seeds.size(), 0);
     return 0;
   }
@@ -218,6 +220,7 @@ class FastFlooding final : public FloodRounds {
   void standAt(const IterationSummary& round) override {
     plan_.standAt(nodesOf(round.seeds), round.offsets);
     fast_.band = round.band;
+    bandSteps_.reset();
     if (inBand() && !isBase(plan_.seeds(), plan_.offsets())) {
       setBase(makeBase(plan_.seeds(), plan_.offsets()));
     }
@@ -271,6 +274,7 @@ class FastFlooding final : public FloodRounds {
   RoundPlan planFrom(std::vector<Index> seeds, std::vector<double> offsets) const {
     const std::size_t most = options().maxIterations;
     SegmentOptions coarse = options();
+    coarse.patience = coarsePatience(coarse.patience);
     coarse.settle = 0;  // the band evens out better than clusters at rest can
     return {coarse, std::max<std::size_t>(1, most - std::min(most, bandRoundsOf(most))),
             std::move(seeds), std::move(offsets)};
@@ -320,12 +324,9 @@ class FastFlooding final : public FloodRounds {
     NodeFlood flood(mesh(), coarse_.nodes, seeds.size());
     flood.start(seeds, offsets, options().lookahead, nullptr);
     flood.take(kAllFaces, nullptr);
-    std::vector<Index> faces;
-    for (const Index node : seeds) faces.push_back(coarse_.start[node]);
-    return std::make_shared<const BandBase>(
-        BandBase{seeds, offsets,
-                 makeSeamBand(source(), projectLabels(coarse_.nodes, flood.nodeLabels()), faces,
-                              bandRings(mesh().faceCount()))});
+    const std::size_t rings = bandRings(mesh().faceCount(), coarse_.nodeCount());
+    return std::make_shared<const BandBase>(BandBase{
+        seeds, offsets, makeSeamBand(source(), coarse_.nodes, flood.nodeLabels(), seeds, rings)});
   }
 
   void setBase(std::shared_ptr<const BandBase> base) {
@@ -342,6 +343,7 @@ class FastFlooding final : public FloodRounds {
   std::shared_ptr<const BandBase> base_;
   Next next_ = Next::Coarse;
   CoarseRound best_;
+  OffsetSteps bandSteps_;
   std::vector<double> nextBand_;
   double bestBand_ = 0;
   std::size_t bandRounds_ = 0, lastGain_ = 0;

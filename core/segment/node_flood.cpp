@@ -14,7 +14,7 @@ constexpr std::size_t kNodeBlock = 1 << 16;  // faces
 
 /// Clusters lie so unevenly that the first way to one is often not the shortest.
 OfferRule ruleFor(const FloodGraph& graph) {
-  return graph.firstHub != kNone ? OfferRule::FirstIncidence : OfferRule::ShortestTimes;
+  return graph.packed() ? OfferRule::FirstIncidence : OfferRule::ShortestTimes;
 }
 }  // namespace
 

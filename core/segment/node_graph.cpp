@@ -167,15 +167,18 @@ std::vector<double> NodeGraph::chartGauss(std::span<const Index> nodeLabel,
     if (nodeLabel[edge.a] == nodeLabel[edge.b]) area[nodeLabel[edge.a]] += edge.gauss;
   }
   for (std::size_t c = 0; c < cornerGauss.size(); ++c) {
-    const auto around =
-        std::span(cornerNode)
-            .subspan(cornerNodeBegin[c], cornerNodeBegin[c + 1] - cornerNodeBegin[c]);
-    const Index chart = nodeLabel[around[0]];
-    const bool all = std::all_of(around.begin(), around.end(),
-                                 [&](Index node) { return nodeLabel[node] == chart; });
-    if (all) area[chart] += cornerGauss[c];
+    const Index chart = commonOf(c, nodeLabel);
+    if (chart != kNone) area[chart] += cornerGauss[c];
   }
   return area;
+}
+
+Index NodeGraph::commonOf(std::size_t corner, std::span<const Index> nodeLabel) const {
+  const Index label = nodeLabel[cornerNode[cornerNodeBegin[corner]]];
+  for (Index i = cornerNodeBegin[corner] + 1; i < cornerNodeBegin[corner + 1]; ++i) {
+    if (nodeLabel[cornerNode[i]] != label) return kNone;
+  }
+  return label;
 }
 
 NodeGraph buildNodeGraph(const NodeGraphSource& source, std::vector<Index> nodeOfFace,

@@ -32,6 +32,8 @@ struct NodeGraph {
   std::vector<double> cornerGauss;     ///< of each such corner
 
   std::size_t nodeCount() const { return gauss.size(); }
+  /// The label that all nodes around a corner have, kNone when they differ.
+  Index commonOf(std::size_t corner, std::span<const Index> nodeLabel) const;
   /// A(c) of charts of nodes, steradians. Cost: linear in nodes.
   std::vector<double> chartGauss(std::span<const Index> nodeLabel, std::size_t charts) const;
 };

@@ -2,71 +2,63 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "core/base/parallel.h"
 #include "core/flood/build_flood_graph.h"
+#include "core/segment/band_graph.h"
 
 namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kSeamBlock = 1 << 14;
-constexpr std::size_t kAhead = 16;  // faces between fetching and use
+constexpr std::size_t kArcBlock = 1 << 14;
 
-/// Says which faces stay.
-class BandFinder {
+/// Says which clusters stay.
+class RestFinder {
  public:
-  BandFinder(const Mesh& mesh, std::span<const Index> label) : mesh_(mesh), label_(label) {}
+  RestFinder(const FloodGraph& graph, std::span<const Index> label)
+      : graph_(graph), label_(label), free_(label.size(), 0) {}
 
-  /// Chart of each face that stays, kNone for those that are freed.
+  /// Chart of each cluster that stays, kNone for those that are freed.
   std::vector<Index> rests(std::span<const Index> seeds, std::size_t rings) {
-    free_.assign(label_.size(), 0);
     freeNearSeams(rings);
     findParts(seeds);
     std::vector<Index> rest(label_.size(), kNone);
-    for (Index f = 0; f < rest.size(); ++f) {
-      if (free_[f] == 0 && chosen_[label_[f]] == part_[f]) rest[f] = label_[f];
+    for (Index n = 0; n < rest.size(); ++n) {
+      if (free_[n] == 0 && chosen_[label_[n]] == part_[n]) rest[n] = label_[n];
     }
-    for (Index chart = 0; chart < seeds.size(); ++chart) {
-      if (rest[seeds[chart]] == kNone) keepWay(seeds[chart], rest);
+    for (const Index seed : seeds) {
+      if (rest[seed] == kNone) keepWay(seed, rest);
     }
     return rest;
   }
 
  private:
   template <class Visit>
-  void forNeighbours(Index f, const Visit& visit) const {
-    const auto opposite = mesh_.opposite();
-    for (Index s = 3 * mesh_.triangleBegin(f); s < 3 * mesh_.triangleBegin(f + 1); ++s) {
-      if (opposite[s] != kNone) visit(mesh_.faceOf(opposite[s] / 3));
+  void forNeighbours(Index node, const Visit& visit) const {
+    for (Index i = graph_.arcBegin[node]; i < graph_.arcBegin[node + 1]; ++i) {
+      visit(graph_.arcs[i].face);
     }
   }
 
   void freeNearSeams(std::size_t rings) {
-    const std::size_t blocks = (label_.size() + kSeamBlock - 1) / kSeamBlock;
-    std::vector<std::vector<Index>> found(blocks);
-    parallelBlocks(label_.size(), kSeamBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) {
-        bool seam = false;
-        forNeighbours(static_cast<Index>(f),
-                      [&](Index g) { seam = seam || label_[g] != label_[f]; });
-        if (seam) found[begin / kSeamBlock].push_back(static_cast<Index>(f));
-      }
-    });
     std::vector<Index> front, next;
-    for (const auto& list : found) front.insert(front.end(), list.begin(), list.end());
-    for (const Index f : front) free_[f] = 1;
-    for (std::size_t ring = 0; ring < rings && !front.empty(); ++ring) {
+    for (Index n = 0; n < label_.size(); ++n) {
+      bool seam = false;
+      forNeighbours(n, [&](Index other) { seam = seam || label_[other] != label_[n]; });
+      if (seam) front.push_back(n);
+    }
+    for (const Index n : front) free_[n] = 1;
+    for (std::size_t ring = 1; ring < rings; ++ring) {
       next.clear();
-      for (const Index f : front) {
-        forNeighbours(f, [&](Index g) {
-          if (free_[g] != 0) return;
-          free_[g] = 1;
-          next.push_back(g);
+      for (const Index n : front) {
+        forNeighbours(n, [&](Index other) {
+          if (free_[other] != 0) return;
+          free_[other] = 1;
+          next.push_back(other);
         });
       }
       front.swap(next);
@@ -78,32 +70,28 @@ class BandFinder {
     part_.assign(label_.size(), kNone);
     chosen_.assign(seeds.size(), kNone);
     std::vector<std::size_t> size(seeds.size(), 0);
-    std::vector<Index> queue(label_.size());
+    std::vector<Index> queue;
     Index parts = 0;
     for (Index start = 0; start < label_.size(); ++start) {
       if (free_[start] != 0 || part_[start] != kNone) continue;
+      const Index chart = label_[start];
       part_[start] = parts;
-      queue[0] = start;
-      std::size_t filled = 1;
-      for (std::size_t i = 0; i < filled; ++i) {
-        if (i + kAhead < filled) {
-          __builtin_prefetch(&mesh_.opposite()[3 * mesh_.triangleBegin(queue[i + kAhead])]);
-        }
-        forNeighbours(queue[i], [&](Index g) {
-          if (free_[g] != 0 || part_[g] != kNone) return;
-          part_[g] = parts;
-          queue[filled++] = g;
+      queue.assign(1, start);
+      for (std::size_t i = 0; i < queue.size(); ++i) {
+        forNeighbours(queue[i], [&](Index other) {
+          if (free_[other] != 0 || part_[other] != kNone || label_[other] != chart) return;
+          part_[other] = parts;
+          queue.push_back(other);
         });
       }
-      const Index chart = label_[start];
-      if (filled > size[chart]) {
-        size[chart] = filled;
+      if (queue.size() > size[chart]) {
+        size[chart] = queue.size();
         chosen_[chart] = parts;
       }
       ++parts;
     }
-    for (Index chart = 0; chart < seeds.size(); ++chart) {
-      if (free_[seeds[chart]] == 0) chosen_[chart] = part_[seeds[chart]];
+    for (const Index seed : seeds) {
+      if (free_[seed] == 0) chosen_[label_[seed]] = part_[seed];
     }
   }
 
@@ -112,66 +100,61 @@ class BandFinder {
     const Index chart = label_[seed];
     rest[seed] = chart;
     if (chosen_[chart] == kNone) return;
-    std::vector<std::pair<Index, Index>> queue = {{seed, kNone}};  // face, place of the one before
-    std::vector<Index> seen = {seed};
+    std::vector<std::pair<Index, Index>> queue = {{seed, kNone}};  // node, place of the one before
     std::vector<bool> met(label_.size(), false);
     met[seed] = true;
     Index found = kNone;
     for (Index i = 0; i < queue.size() && found == kNone; ++i) {
-      forNeighbours(queue[i].first, [&](Index g) {
-        if (found != kNone || met[g] || label_[g] != chart) return;
-        met[g] = true;
-        if (rest[g] == chart) found = i;
-        queue.emplace_back(g, i);
+      forNeighbours(queue[i].first, [&](Index other) {
+        if (found != kNone || met[other] || label_[other] != chart) return;
+        met[other] = true;
+        if (rest[other] == chart) found = i;
+        queue.emplace_back(other, i);
       });
     }
     for (Index i = found; i != kNone; i = queue[i].second) rest[queue[i].first] = chart;
   }
 
-  const Mesh& mesh_;
+  const FloodGraph& graph_;
   std::span<const Index> label_;
   std::vector<std::uint8_t> free_;
-  std::vector<Index> part_;    ///< of faces that are not free
+  std::vector<Index> part_;    ///< of clusters that are not free
   std::vector<Index> chosen_;  ///< part of each chart that stays
 };
 
-glm::dvec3 centroidOf(const Mesh& mesh, Index face) {
-  glm::dvec3 sum(0);
-  const Index begin = mesh.triangleBegin(face), end = mesh.triangleBegin(face + 1);
-  for (Index t = begin; t < end; ++t) {
-    for (const Index v : mesh.triangles()[t]) sum += mesh.positions()[v];
-  }
-  return sum / (3.0 * static_cast<double>(end - begin));
+/// The band of a mesh of polygons.
+NodeGraph polygonBand(const NodeGraphSource& source, std::vector<Index> nodeOfFace,
+                      std::size_t nodes) {
+  const Mesh& mesh = source.mesh;
+  const std::vector<glm::dvec3> centroid = faceCentroids(mesh);
+  std::vector<Index> sideOfArc;
+  NodeGraph graph = buildNodeGraph(source, std::move(nodeOfFace), nodes, sideOfArc);
+  parallelBlocks(sideOfArc.size(), kArcBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Index from = mesh.faceOf(sideOfArc[i] / 3);
+      const Index to = mesh.faceOf(mesh.opposite()[sideOfArc[i]] / 3);
+      graph.flood.arcs[i].delay = static_cast<float>(glm::length(centroid[from] - centroid[to]));
+    }
+  });
+  return graph;
 }
 
 }  // namespace
 
-SeamBand makeSeamBand(const NodeGraphSource& source, std::span<const Index> label,
-                      std::span<const Index> seeds, std::size_t rings) {
-  const Mesh& mesh = source.mesh;
+SeamBand makeSeamBand(const NodeGraphSource& source, const NodeGraph& clusters,
+                      std::span<const Index> label, std::span<const Index> seeds,
+                      std::size_t rings) {
+  const std::vector<Index> rest = RestFinder(clusters.flood, label).rests(seeds, rings);
+  BandFaces faces = numberBandFaces(clusters, rest);
   SeamBand band;
-  std::vector<Index> nodeOfFace = BandFinder(mesh, label).rests(seeds, rings);
-  for (const Index rest : nodeOfFace) band.freeFaces += rest == kNone ? 1 : 0;
-  Index next = 0;
-  for (Index& node : nodeOfFace) {
-    node = node == kNone ? next++ : static_cast<Index>(band.freeFaces) + node;
-  }
+  band.freeFaces = faces.free.size();
   for (Index chart = 0; chart < seeds.size(); ++chart) {
     band.seeds.push_back(static_cast<Index>(band.freeFaces) + chart);
   }
-  std::vector<Index> sideOfArc;
   band.nodes =
-      buildNodeGraph(source, std::move(nodeOfFace), band.freeFaces + seeds.size(), sideOfArc);
-  if (mesh.facesAreTriangles()) band.nodes.flood.firstHub = static_cast<Index>(band.freeFaces);
-  std::vector<FloodArc>& arcs = band.nodes.flood.arcs;
-  parallelBlocks(arcs.size(), kSeamBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Index side = sideOfArc[i];
-      arcs[i].delay =
-          static_cast<float>(glm::length(centroidOf(mesh, mesh.faceOf(side / 3)) -
-                                         centroidOf(mesh, mesh.faceOf(mesh.opposite()[side] / 3))));
-    }
-  });
+      source.flood.packed()
+          ? triangleBand(source, clusters, rest, seeds.size(), std::move(faces))
+          : polygonBand(source, std::move(faces.nodeOfFace), band.freeFaces + seeds.size());
   return band;
 }
 

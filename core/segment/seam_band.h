@@ -1,6 +1,6 @@
 #pragma once
-/// The faces near the seams of given charts, set free to be flooded again from what is left of each
-/// chart: evens out Gauss area and straightens seams at once.
+/// The clusters of faces at the seams of a coarse round, set free to be flooded again face by face
+/// from what is left of each chart: evens out Gauss area and straightens seams at once.
 
 #include <cstddef>
 #include <span>
@@ -18,11 +18,14 @@ struct SeamBand {
   std::vector<Index> seeds;   ///< rest of each chart
 };
 
-/// Frees the faces up to `rings` steps over sides from a seam. Of each chart the connected rest
-/// that holds its seed stays, else the largest and the way to it from the seed, else the seed
-/// alone. \param label chart of each face; charts are connected \param seeds a face of each chart
-/// Cost: linear.
-SeamBand makeSeamBand(const NodeGraphSource& source, std::span<const Index> label,
-                      std::span<const Index> seeds, std::size_t rings);
+/// Frees the clusters at a seam and those up to `rings` - 1 steps from them. Of each chart the
+/// connected rest that holds its seed stays, else the one of most clusters and the way to it from
+/// the seed, else the cluster of the seed alone.
+/// \param clusters as by makeCoarseGraph() \param label chart of each cluster; charts are connected
+/// \param seeds a cluster of each chart \param rings 1 or more
+/// Cost: linear in clusters, freed faces and sharp edges; one look at each face.
+SeamBand makeSeamBand(const NodeGraphSource& source, const NodeGraph& clusters,
+                      std::span<const Index> label, std::span<const Index> seeds,
+                      std::size_t rings);
 
 }  // namespace chartflood

@@ -221,10 +221,32 @@ void coarseRound(benchmark::State& state, const std::string& name) {
   countNodes(state, p, coarse.nodes, flood->counts());
 }
 
+/// A coarse round as the band begins with it.
+struct CoarseCharts {
+  CoarseGraph graph;
+  std::vector<Index> seeds, label;
+
+  explicit CoarseCharts(const Prepared& p)
+      : graph(makeCoarseGraph(nodeSource(p), clusterFaces(*p.in.mesh, {},
+                                                          coarseClusterSize(p.in.mesh->faceCount(),
+                                                                            p.seeds.size())))) {
+    Rng rng(1);
+    seeds = placeCoarseSeeds(graph, p.in.mesh->componentCount(), p.seeds.size(), {}, rng);
+    const auto flood = makeFlood(graph.nodes.flood, seeds.size(), OfferRule::ShortestTimes);
+    flood->start(seeds, p.offsets, true, nullptr);
+    flood->advance(kAll, nullptr);
+    flood->copyLabels(label);
+  }
+  SeamBand band(const Prepared& p) const {
+    return makeSeamBand(nodeSource(p), graph.nodes, label, seeds, 2);
+  }
+};
+
 void seamBand(benchmark::State& state, const std::string& name) {
   const Prepared& p = prepared(name);
+  const CoarseCharts coarse(p);
   for (auto _ : state) {
-    const SeamBand band = makeSeamBand(nodeSource(p), p.flooded->label, p.flooded->seeds, 16);
+    const SeamBand band = coarse.band(p);
     state.counters["free/face"] = static_cast<double>(band.freeFaces) / p.faces();
   }
   perFace(state, p);
@@ -233,7 +255,7 @@ void seamBand(benchmark::State& state, const std::string& name) {
 /// One round of the fast search around the seams.
 void bandRound(benchmark::State& state, const std::string& name) {
   const Prepared& p = prepared(name);
-  const SeamBand band = makeSeamBand(nodeSource(p), p.flooded->label, p.flooded->seeds, 16);
+  const SeamBand band = CoarseCharts(p).band(p);
   const auto flood = makeFlood(band.nodes.flood, band.seeds.size());
   for (auto _ : state) {
     flood->start(band.seeds, p.offsets, true, nullptr);

@@ -11,6 +11,7 @@
 #include "core/flood/build_flood_graph.h"
 #include "core/segment/balance.h"
 #include "core/segment/convergence.h"
+#include "core/segment/offset_steps.h"
 #include "core/segment/offsets.h"
 #include "core/segment/seeds.h"
 #include "tests/support/test_meshes.h"
@@ -33,6 +34,28 @@ TEST(Offsets, PenaliseBySurplusOverTheSmallest) {
 TEST(Offsets, SmallestIsAlwaysZero) {
   std::vector<double> offsets = {1, 2};
   updateOffsets(offsets, std::vector<double>{5, 1}, 0.9);
+  EXPECT_EQ(*std::min_element(offsets.begin(), offsets.end()), 0);
+}
+
+TEST(OffsetSteps, GrowWhileASurplusKeepsItsSignAndShrinkWhenItTurns) {
+  OffsetSteps steps;
+  const auto first = [&](double surplus) {
+    std::vector<double> offsets = {10, 0};
+    steps.update(offsets, std::vector<double>{5 + surplus, 5 - surplus});
+    return (offsets[0] - 10) / (2 * surplus);
+  };
+  const double begin = first(1);
+  EXPECT_GT(begin, 0);
+  EXPECT_NEAR(first(0.5), 1.3 * begin, 1e-9);
+  EXPECT_NEAR(first(-0.5), 0.65 * begin, 1e-9);
+  EXPECT_NEAR(first(-0.1), 0.845 * begin, 1e-9);
+  for (int i = 0; i < 20; ++i) first(-1);
+  EXPECT_NEAR(first(-1), 3, 1e-9);
+  steps.reset();
+  EXPECT_NEAR(first(-1), begin, 1e-9);
+  std::vector<double> offsets = {1, 2, 3};
+  steps.reset();
+  steps.update(offsets, std::vector<double>{0, 3, 3});
   EXPECT_EQ(*std::min_element(offsets.begin(), offsets.end()), 0);
 }
 
