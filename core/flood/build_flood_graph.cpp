@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -46,13 +47,23 @@ class Slowness {
 /// Everything the two layouts are filled from.
 struct GraphSource {
   const Mesh& mesh;
-  std::vector<double> faceGauss, faceArea;
+  FaceValues faceGauss, faceArea;
   std::vector<glm::dvec3> centroid;
   std::vector<float> sideGain;  ///< Gauss area of each side's edge; empty when no edge has any
   std::vector<Index> cornerOf;  ///< corner number of each vertex; empty when there are none
   double floor = 0;
   Slowness slowness;
+  std::vector<double> faceSlowness;  ///< of each face, entered over an edge without Gauss area
 
+  void tableSlowness() {
+    faceSlowness.resize(mesh.faceCount());
+    parallelBlocks(mesh.faceCount(), kFaceBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) faceSlowness[f] = slownessOf(f, 0);
+    });
+  }
+  double slownessOf(std::size_t face, double edge) const {
+    return slowness((faceGauss[face] + edge) / std::max(floor, faceArea[face]));
+  }
   float edgeGain(Index side) const { return sideGain.empty() ? 0.0f : sideGain[side]; }
   Index corner(Index vertex) const { return cornerOf.empty() ? kNone : cornerOf[vertex]; }
   float gain(Index face, double eta) const {
@@ -60,8 +71,8 @@ struct GraphSource {
   }
   float delay(Index from, Index to, Index side) const {
     const double edge = sideGain.empty() ? 0.0 : sideGain[side];
-    const double curvature = (faceGauss[to] + edge) / std::max(floor, faceArea[to]);
-    return static_cast<float>(glm::length(centroid[from] - centroid[to]) * slowness(curvature));
+    const double slow = edge > 0 ? slownessOf(to, edge) : faceSlowness[to];
+    return static_cast<float>(glm::length(centroid[from] - centroid[to]) * slow);
   }
 };
 
@@ -137,12 +148,12 @@ void fillArcs(const GraphSource& source, FloodGraph& graph) {
 
 }  // namespace
 
-std::vector<double> faceAreas(const Mesh& mesh) {
+FaceValues faceAreas(const Mesh& mesh) {
   const auto area = mesh.triangleArea();
-  if (mesh.facesAreTriangles()) return {area.begin(), area.end()};
+  if (mesh.facesAreTriangles()) return FaceValues(area);
   std::vector<double> out(mesh.faceCount(), 0);
   for (Index t = 0; t < mesh.triangleCount(); ++t) out[mesh.faceOf(t)] += area[t];
-  return out;
+  return FaceValues(std::move(out));
 }
 
 std::vector<glm::dvec3> faceCentroids(const Mesh& mesh) {
@@ -184,7 +195,9 @@ FloodGraph buildFloodGraph(const Mesh& mesh, const GaussArea& gauss, const Flood
                      {},
                      {},
                      smallestArea(mesh),
-                     Slowness(speeds, gauss.maxCurvature)};
+                     Slowness(speeds, gauss.maxCurvature),
+                     {}};
+  source.tableSlowness();
   if (!gauss.sharpEdges.empty()) {
     source.sideGain.assign(3 * mesh.triangleCount(), 0.0f);
     for (std::size_t i = 0; i < gauss.sharpEdges.size(); ++i) {

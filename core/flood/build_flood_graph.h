@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/model/face_values.h"
 #include "core/model/flood_graph.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
@@ -32,7 +33,7 @@ FloodGraph buildFloodGraph(const Mesh& mesh, const GaussArea& gauss, const Flood
 /// Area-weighted centroid of each face in normalised units.
 std::vector<glm::dvec3> faceCentroids(const Mesh& mesh);
 
-/// Area of each face in squared normalised units.
-std::vector<double> faceAreas(const Mesh& mesh);
+/// Area of each face in squared normalised units; a view of the mesh where faces are triangles.
+FaceValues faceAreas(const Mesh& mesh);
 
 }  // namespace chartflood

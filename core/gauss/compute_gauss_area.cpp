@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/gauss/sector_normals.h"
@@ -85,12 +88,18 @@ double largestCurvature(const Mesh& mesh, const GaussArea& gauss) {
   const auto area = mesh.triangleArea();
   const auto opposite = mesh.opposite();
   double largest = 0;
-  const std::vector<double> face = faceGaussArea(mesh, gauss);
-  for (Index f = 0; f < mesh.faceCount(); ++f) {
-    double faceArea = 0;
-    for (Index t = mesh.triangleBegin(f); t < mesh.triangleBegin(f + 1); ++t) faceArea += area[t];
-    largest = std::max(largest, face[f] / std::max(floor, faceArea));
-  }
+  const FaceValues face = faceGaussArea(mesh, gauss);
+  std::vector<double> ofBlock((mesh.faceCount() + kSumBlock - 1) / kSumBlock, 0);
+  parallelBlocks(mesh.faceCount(), kSumBlock, [&](std::size_t begin, std::size_t end) {
+    double most = 0;
+    for (Index f = static_cast<Index>(begin); f < end; ++f) {
+      double faceArea = 0;
+      for (Index t = mesh.triangleBegin(f); t < mesh.triangleBegin(f + 1); ++t) faceArea += area[t];
+      most = std::max(most, face[f] / std::max(floor, faceArea));
+    }
+    ofBlock[begin / kSumBlock] = most;
+  });
+  for (const double most : ofBlock) largest = std::max(largest, most);
   for (std::size_t i = 0; i < gauss.sharpEdges.size(); ++i) {
     const Index left = gauss.sharpEdges[i] / 3, right = opposite[gauss.sharpEdges[i]] / 3;
     if (mesh.faceOf(left) == mesh.faceOf(right)) continue;
@@ -132,8 +141,8 @@ GaussArea computeGaussArea(const Mesh& mesh, double sharpAngle) {
   return out;
 }
 
-std::vector<double> faceGaussArea(const Mesh& mesh, const GaussArea& gauss) {
-  if (mesh.facesAreTriangles()) return gauss.triangle;
+FaceValues faceGaussArea(const Mesh& mesh, const GaussArea& gauss) {
+  if (mesh.facesAreTriangles()) return FaceValues(std::span<const double>(gauss.triangle));
   std::vector<double> face(mesh.faceCount(), 0);
   for (Index t = 0; t < mesh.triangleCount(); ++t) face[mesh.faceOf(t)] += gauss.triangle[t];
   for (std::size_t i = 0; i < gauss.sharpEdges.size(); ++i) {
@@ -141,7 +150,7 @@ std::vector<double> faceGaussArea(const Mesh& mesh, const GaussArea& gauss) {
     const Index f = mesh.faceOf(left / 3);
     if (f == mesh.faceOf(mesh.opposite()[left] / 3)) face[f] += gauss.edge[i];
   }
-  return face;
+  return FaceValues(std::move(face));
 }
 
 }  // namespace chartflood

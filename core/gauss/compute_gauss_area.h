@@ -1,8 +1,7 @@
 #pragma once
 /// Gauss area of all vertices, edges and triangles (paper section 3.2, figure 1).
 
-#include <vector>
-
+#include "core/model/face_values.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 
@@ -19,7 +18,8 @@ namespace chartflood {
 /// Cost: linear, in parallel over fixed blocks; the result does not depend on the threads.
 GaussArea computeGaussArea(const Mesh& mesh, double sharpAngle);
 
-/// Gauss area of each face: its triangles and the edges between them. One value a face, steradians.
-std::vector<double> faceGaussArea(const Mesh& mesh, const GaussArea& gauss);
+/// Gauss area of each face, steradians: its triangles and the edges between them. A view of `gauss`
+/// where faces are triangles.
+FaceValues faceGaussArea(const Mesh& mesh, const GaussArea& gauss);
 
 }  // namespace chartflood

@@ -1,6 +1,7 @@
 #include "core/gauss/sector_normals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -13,6 +14,8 @@ namespace chartflood {
 namespace {
 
 constexpr std::size_t kSectorBlock = 1 << 13;
+constexpr std::size_t kParallelTriangles = 50000;  // from which sums are made in parts
+constexpr std::size_t kSectorParts = 4;
 
 /// Edge vectors of a corner: to the next and to the previous vertex of the triangle.
 struct Corner {
@@ -26,25 +29,13 @@ Corner cornerAt(const Mesh& mesh, Index side) {
           positions[mesh.sideStart(Mesh::previousSide(side))] - here};
 }
 
-/// Adds up the corners of one sector.
-class SectorSum {
- public:
-  void add(const Mesh& mesh, Index side) {
-    if (mesh.degenerate(side / 3)) return;
-    const Corner c = cornerAt(mesh, side);
-    const double weight = glm::dot(c.next, c.next) * glm::dot(c.previous, c.previous);
-    if (weight > 0) sum_ += glm::cross(c.next, c.previous) / weight;
-  }
-  bool normalised(glm::dvec3& normal) const {
-    const double length = glm::length(sum_);
-    if (!(length > 0) || !std::isfinite(length)) return false;
-    normal = sum_ / length;
-    return true;
-  }
-
- private:
-  glm::dvec3 sum_{0};
-};
+/// False for sums that vanish or are beyond all numbers.
+bool normalised(const glm::dvec3& sum, glm::dvec3& normal) {
+  const double length = glm::length(sum);
+  if (!(length > 0) || !std::isfinite(length)) return false;
+  normal = sum / length;
+  return true;
+}
 
 /// For sums that vanish: plain unit normals, then any, then upwards.
 glm::dvec3 fallbackNormal(const Mesh& mesh, std::span<const Index> sides) {
@@ -60,10 +51,14 @@ glm::dvec3 fallbackNormal(const Mesh& mesh, std::span<const Index> sides) {
 }
 
 glm::dvec3 sectorNormal(const Mesh& mesh, std::span<const Index> sides) {
-  SectorSum sum;
-  for (const Index side : sides) sum.add(mesh, side);
-  glm::dvec3 normal;
-  return sum.normalised(normal) ? normal : fallbackNormal(mesh, sides);
+  glm::dvec3 sum(0), normal;
+  for (const Index side : sides) {
+    if (mesh.degenerate(side / 3)) continue;
+    const Corner c = cornerAt(mesh, side);
+    const double weight = glm::dot(c.next, c.next) * glm::dot(c.previous, c.previous);
+    if (weight > 0) sum += glm::cross(c.next, c.previous) * (1 / weight);
+  }
+  return normalised(sum, normal) ? normal : fallbackNormal(mesh, sides);
 }
 
 /// Sides that leave a vertex, counter-clockwise.
@@ -77,16 +72,69 @@ void collectFan(const Mesh& mesh, Index vertex, std::vector<Index>& sides) {
   } while (side != kNone && side != first);
 }
 
-/// The whole fan as one sector, without collecting it first.
-bool smoothNormal(const Mesh& mesh, Index first, glm::dvec3& normal) {
-  SectorSum sum;
-  Index side = first;
-  do {
-    sum.add(mesh, side);
-    side = mesh.turn(side);
-  } while (side != kNone && side != first);
-  return sum.normalised(normal);
-}
+/// Sums over whole fans, triangle by triangle: in memory's order, and every triangle once. The mesh
+/// is cut in parts that are the same for any number of threads, and so are the sums.
+class FanSums {
+ public:
+  explicit FanSums(const Mesh& mesh) : mesh_(mesh) {
+    const std::size_t triangles = mesh.triangleCount();
+    parts_.resize(triangles >= kParallelTriangles ? kSectorParts : 1);
+    parallelFor(parts_.size(), [&](std::size_t p) {
+      addUp(triangles * p / parts_.size(), triangles * (p + 1) / parts_.size(), parts_[p]);
+    });
+  }
+
+  glm::dvec3 at(Index vertex) const {
+    glm::dvec3 sum(0);
+    for (const Part& part : parts_) {
+      const std::size_t place = vertex - part.first;  // huge where the part begins behind it
+      if (place < part.sum.size()) sum += part.sum[place];
+    }
+    return sum;
+  }
+
+ private:
+  /// Sums of the vertices from `first` on, as many as the part reaches.
+  struct Part {
+    std::size_t first = 0;
+    std::vector<glm::dvec3> sum;
+  };
+
+  void addUp(std::size_t begin, std::size_t end, Part& part) const {
+    const auto triangles = mesh_.triangles().subspan(begin, end - begin);
+    Index least = kNone, most = 0;
+    for (const auto& triangle : triangles) {
+      for (const Index v : triangle) {
+        least = std::min(least, v);
+        most = std::max(most, v);
+      }
+    }
+    if (triangles.empty()) return;
+    part.first = least;
+    part.sum.assign(std::size_t{most} - least + 1, glm::dvec3(0));
+    for (std::size_t t = begin; t < end; ++t) {
+      if (!mesh_.degenerate(static_cast<Index>(t))) addTriangle(mesh_.triangles()[t], part);
+    }
+  }
+
+  void addTriangle(const std::array<Index, 3>& v, Part& part) const {
+    const auto positions = mesh_.positions();
+    const glm::dvec3 a = positions[v[1]] - positions[v[0]];
+    const glm::dvec3 b = positions[v[2]] - positions[v[1]];
+    const glm::dvec3 c = positions[v[0]] - positions[v[2]];
+    const double aa = glm::dot(a, a), bb = glm::dot(b, b), cc = glm::dot(c, c);
+    const glm::dvec3 normal = glm::cross(a, b);
+    const auto add = [&](Index vertex, double weight) {
+      if (weight > 0) part.sum[vertex - part.first] += normal * (1 / weight);
+    };
+    add(v[0], aa * cc);
+    add(v[1], aa * bb);
+    add(v[2], bb * cc);
+  }
+
+  const Mesh& mesh_;
+  std::vector<Part> parts_;
+};
 
 /// Splits the fan of one vertex at its sharp edges and appends its sectors.
 void splitVertex(const Mesh& mesh, std::span<const std::uint8_t> sharp, Index vertex,
@@ -130,13 +178,13 @@ SectorNormals computeSectorNormals(const Mesh& mesh, std::span<const std::uint8_
   const auto isSplit = [&](Index vertex) {
     return sharpCount[vertex] >= 2 || (sharpCount[vertex] == 1 && isBorder(vertex));
   };
+  const FanSums sums(mesh);
   parallelBlocks(vertices, kSectorBlock, [&](std::size_t begin, std::size_t end) {
     std::vector<Index> fan;
     for (std::size_t i = begin; i < end; ++i) {
       const Index vertex = static_cast<Index>(i);
-      const Index first = mesh.vertexSide()[vertex];
-      if (first == kNone || isSplit(vertex)) continue;
-      if (smoothNormal(mesh, first, out.vertex[i])) continue;
+      if (mesh.vertexSide()[vertex] == kNone || isSplit(vertex)) continue;
+      if (normalised(sums.at(vertex), out.vertex[i])) continue;
       collectFan(mesh, vertex, fan);
       out.vertex[i] = fallbackNormal(mesh, fan);
     }

@@ -66,7 +66,7 @@ CreaseRegions smoothParts(const Mesh& mesh, const GaussArea& gauss) {
 
 std::vector<double> regionAreas(const Mesh& mesh, const CreaseRegions& regions) {
   std::vector<double> area(regions.count, 0);
-  const std::vector<double> faceArea = faceAreas(mesh);
+  const FaceValues faceArea = faceAreas(mesh);
   for (Index f = 0; f < faceArea.size(); ++f) area[regions.label[f]] += faceArea[f];
   return area;
 }
@@ -127,7 +127,7 @@ bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss) {
   if (parts.count < kFewest) return false;
   const double surface = mesh.surfaceArea();
   const std::vector<double> area = regionAreas(mesh, parts);
-  const std::vector<double> faceGauss = faceGaussArea(mesh, gauss);
+  const FaceValues faceGauss = faceGaussArea(mesh, gauss);
   std::vector<double> curved(parts.count, 0);
   for (Index f = 0; f < faceGauss.size(); ++f) curved[parts.label[f]] += faceGauss[f];
   double large = 0;

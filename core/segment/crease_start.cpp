@@ -204,7 +204,7 @@ class CreaseStart final : public Stepper {
 
   SegmentInputs in_;
   SegmentOptions options_;
-  std::vector<double> faceGauss_;
+  FaceValues faceGauss_;
   std::vector<Index> label_, finalLabel_;
   std::vector<Index> seeds_, startSeeds_;  ///< middles of the present charts, of those at first
   std::vector<double> offsets_;            ///< none waits

@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kAllFaces = std::numeric_limits<std::size_t>::max();
 // S is sqrt(n) std / mean.
 constexpr double kUnevenCoarse = 0.1;   // S that other seeds may better: a band cannot absorb it
-constexpr double kEvenBand = 0.01;      // S that is good enough
+constexpr double kEvenBand = 0.02;      // S that is good enough
 constexpr std::size_t kBandRounds = 8;  // at most
 constexpr std::size_t kBandPatience = 3;
 constexpr std::size_t kOtherStarts = 2;

@@ -37,8 +37,8 @@ FloodMeasures::FloodMeasures(std::shared_ptr<const Mesh> mesh,
                              std::shared_ptr<const GaussArea> gauss)
     : mesh_(std::move(mesh)), gauss_(std::move(gauss)), first_(mesh_->faceCount() + 1, 0) {
   const std::size_t faces = mesh_->faceCount();
-  const std::vector<double> gaussAreas = faceGaussArea(*mesh_, *gauss_);
-  const std::vector<double> surfaces = faceAreas(*mesh_);
+  const FaceValues gaussAreas = faceGaussArea(*mesh_, *gauss_);
+  const FaceValues surfaces = faceAreas(*mesh_);
   const double unit = std::ldexp(std::accumulate(surfaces.begin(), surfaces.end(), 0.0), -50);
   if (unit > 0) surfaceUnit_ = unit;
   area_.resize(faces);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/model/face_values.h"
 #include "core/segment/border_refiner.h"
 #include "core/segment/segmenter.h"
 
@@ -43,7 +44,7 @@ class FloodRounds : public Stepper {
   const Mesh& mesh() const { return *in_.mesh; }
   const SegmentInputs& inputs() const { return in_; }
   const SegmentOptions& options() const { return options_; }
-  const std::vector<double>& faceGauss() const { return faceGauss_; }
+  std::span<const double> faceGauss() const { return faceGauss_; }
 
   /// Seeds and what goes with them, of the flood at hand. Record and number are filled in here.
   virtual FloodStart present() const = 0;
@@ -102,7 +103,7 @@ class FloodRounds : public Stepper {
   const char* id_;
   SegmentInputs in_;
   SegmentOptions options_;
-  std::vector<double> faceGauss_;
+  FaceValues faceGauss_;
   std::shared_ptr<FloodRecord> record_;
   Phase phase_ = Phase::Flooding;
   std::size_t iteration_ = 0;  ///< number of the round at hand

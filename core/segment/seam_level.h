@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/index.h"
+#include "core/model/face_values.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 
@@ -23,7 +24,7 @@ struct SeamTables {
   std::vector<double> sideGauss;    ///< of each side's edge; empty when no edge has any
   std::vector<double> vertexGauss;  ///< of each vertex; empty when no vertex has any
   std::vector<double> faceValue;    ///< Gauss area plus eta times area
-  std::vector<double> faceArea;     ///< squared normalised units
+  FaceValues faceArea;              ///< squared normalised units
   std::vector<glm::dvec3> center;   ///< of each face
 };
 

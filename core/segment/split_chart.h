@@ -9,6 +9,7 @@
 
 #include "core/base/index.h"
 #include "core/base/rng.h"
+#include "core/model/face_values.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 
@@ -43,7 +44,7 @@ class ChartSplitter {
 
   const Mesh& mesh_;
   std::span<const double> faceGauss_;
-  std::vector<double> area_;
+  FaceValues area_;
   std::vector<glm::dvec3> center_;
   double gaussTotal_ = 0;
   std::vector<Index> label_;

@@ -85,7 +85,7 @@ class TFlooding final : public FloodRounds {
     std::vector<double> weight =
         chartAreas(mesh(), *inputs().gaussArea, faceGauss(), component, mesh().componentCount())
             .gaussArea;
-    const std::vector<double> area = faceAreas(mesh());
+    const FaceValues area = faceAreas(mesh());
     const double eta = inputs().floodGraph->eta;
     for (Index f = 0; f < area.size(); ++f) weight[component[f]] += eta * area[f];
     return weight;

@@ -31,7 +31,7 @@ constexpr Index kCharts = 20;
 
 struct Prepared {
   SegmentInputs in;
-  std::vector<double> faceGauss;
+  FaceValues faceGauss;
   std::shared_ptr<const Segmentation> flooded;  ///< ten rounds, borders as flooded
 
   explicit Prepared(std::shared_ptr<const InputMesh> input) {

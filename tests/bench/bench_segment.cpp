@@ -45,7 +45,7 @@ std::vector<double> equalWeights(const Mesh& mesh) {
 struct Prepared {
   std::shared_ptr<const InputMesh> input;
   SegmentInputs in;
-  std::vector<double> faceGauss;
+  FaceValues faceGauss;
   std::vector<Index> seeds;
   std::vector<double> offsets;
   std::shared_ptr<const Segmentation> flooded;

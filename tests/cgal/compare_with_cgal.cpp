@@ -56,7 +56,7 @@ CgalMesh cgalMesh(const Mesh& mesh) {
 
 /// Standard deviation of the charts' Gauss areas over their mean.
 double spreadOf(const SegmentInputs& in, std::span<const Index> label, std::size_t charts) {
-  const std::vector<double> faces = faceGaussArea(*in.mesh, *in.gaussArea);
+  const FaceValues faces = faceGaussArea(*in.mesh, *in.gaussArea);
   return balanceOf(chartAreas(*in.mesh, *in.gaussArea, faces, label, charts).gaussArea)
       .stdOverMean();
 }

@@ -153,7 +153,7 @@ TEST(GaussArea, LargerAnglesMoveAreaToFaces) {
 TEST(GaussArea, PolygonsCountTheirDiagonals) {
   const auto cube = test::quadCube();
   const GaussArea g = computeGaussArea(*cube, 180);
-  const std::vector<double> face = faceGaussArea(*cube, g);
+  const FaceValues face = faceGaussArea(*cube, g);
   ASSERT_EQ(face.size(), 6u);
   EXPECT_NEAR(std::accumulate(face.begin(), face.end(), 0.0), 4 * std::numbers::pi, 1e-6);
 }

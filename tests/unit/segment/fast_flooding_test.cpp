@@ -59,7 +59,7 @@ class FastOn : public testing::TestWithParam<const char*> {
 
   std::shared_ptr<const Mesh> mesh_;
   SegmentInputs in_;
-  std::vector<double> faceGauss_;
+  FaceValues faceGauss_;
 };
 INSTANTIATE_TEST_SUITE_P(Samples, FastOn,
                          testing::Values("rocket", "double-torus", "cube", "bumps", "gear"),

@@ -92,7 +92,7 @@ TEST_P(FloodCursorOn, FollowsTheRefinementBackAndForth) {
     seams->steps.push_back(step);
     seams->play(seams->steps.size() - 1, label);
   }
-  const std::vector<double> surface = faceAreas(*mesh_);
+  const FaceValues surface = faceAreas(*mesh_);
   cursor.go(first_, all);
   for (const std::size_t step : {3u, 6u, 0u, 5u, 4u, 6u}) {
     cursor.refine(seams, step);

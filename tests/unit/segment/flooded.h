@@ -17,7 +17,7 @@ namespace chartflood::test {
 struct Flooded {
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const GaussArea> gauss;
-  std::vector<double> face;  ///< Gauss area of each face
+  FaceValues face;  ///< Gauss area of each face
   double eta = 0;
   Segmentation state;
 

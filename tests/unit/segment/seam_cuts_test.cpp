@@ -157,7 +157,7 @@ TEST(SeamCuts, TeethBecomeAStraightLine) {
   const Index n = 20;
   const auto mesh = test::grid(n, false);
   const GaussArea gauss = computeGaussArea(*mesh, 45);
-  const std::vector<double> face = faceGaussArea(*mesh, gauss);
+  const FaceValues face = faceGaussArea(*mesh, gauss);
   const std::vector<glm::dvec3> center = faceCentroids(*mesh);
   const auto [low, high] = std::minmax_element(
       center.begin(), center.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
