@@ -67,11 +67,10 @@ class ArcStore {
   }
 
   template <class Visit>
-  void forEachInside(Index face, const Visit& visit) const {
-    for (const FloodArc& arc : arcs(face)) {
-      if (label_[arc.face] == label_[face]) visit(arc.face, arc.delay);
-    }
+  void forEachWay(Index face, const Visit& visit) const {
+    for (const FloodArc& arc : arcs(face)) visit(arc.face, arc.delay);
   }
+  void prefetchWays(Index face) const { prefetchFace(face); }
 
   void prefetchFace(Index face) const { __builtin_prefetch(&graph_.arcBegin[face]); }
   void prefetchNeighbours(Index) const {}

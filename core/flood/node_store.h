@@ -15,23 +15,19 @@
 namespace chartflood {
 
 /// Same questions as TriangleStore (see there), for FloodGraph's arcs; a free neighbour is offered
-/// again whenever a way to it is shorter. What a step asks of a neighbour lies in half a cache
-/// line.
+/// again whenever a way to it is shorter.
 class NodeStore {
  public:
   explicit NodeStore(const FloodGraph& graph) : graph_(graph), corners_(graph) {
     nodes_.resize(graph.faceCount);
+    special_.assign(graph.faceCount, 0);
     ways_.reserve(graph.arcs.size());
     for (const FloodArc& arc : graph.arcs) ways_.push_back({arc.face, arc.delay});
     for (Index n = 0; n < nodes_.size(); ++n) {
-      Node& node = nodes_[n];
-      node.begin = graph.arcBegin[n];
-      node.end = graph.arcBegin[n + 1];
-      node.gain = graph.gain[n];
-      node.atMeshBorder = graph.atMeshBorder[n] != 0;
-      node.hasCorners = graph.cornerBegin[n] != graph.cornerBegin[n + 1];
-      for (Index i = node.begin; i < node.end; ++i) {
-        node.hasEdges = node.hasEdges || graph.arcs[i].edgeGain > 0;
+      nodes_[n].gain = graph.gain[n];
+      if (graph.cornerBegin[n] != graph.cornerBegin[n + 1]) special_[n] |= kCorners;
+      for (Index i = graph.arcBegin[n]; i < graph.arcBegin[n + 1]; ++i) {
+        if (graph.arcs[i].edgeGain > 0) special_[n] |= kEdges;
       }
     }
     reset();
@@ -48,26 +44,24 @@ class NodeStore {
 
   void take(Index face, Index chart) {
     nodes_[face].label = chart;
-    if (!nodes_[face].hasCorners) return;
+    if ((special_[face] & kCorners) == 0) return;
     for (Index i = graph_.cornerBegin[face]; i < graph_.cornerBegin[face + 1]; ++i) {
       corners_.take(graph_.corners[i].corner, graph_.corners[i].times, chart);
     }
   }
 
   double gain(Index face, Index chart) const {
-    const Node& node = nodes_[face];
-    double sum = static_cast<double>(node.gain);
-    if (node.hasEdges) {
-      for (Index i = node.begin; i < node.end; ++i) {
+    double sum = static_cast<double>(nodes_[face].gain);
+    if (special_[face] == 0) return sum;
+    if ((special_[face] & kEdges) != 0) {
+      for (Index i = graph_.arcBegin[face]; i < graph_.arcBegin[face + 1]; ++i) {
         if (nodes_[ways_[i].face].label == chart) {
           sum += static_cast<double>(graph_.arcs[i].edgeGain);
         }
       }
     }
-    if (node.hasCorners) {
-      for (Index i = graph_.cornerBegin[face]; i < graph_.cornerBegin[face + 1]; ++i) {
-        sum += corners_.gain(graph_.corners[i].corner, graph_.corners[i].times, chart);
-      }
+    for (Index i = graph_.cornerBegin[face]; i < graph_.cornerBegin[face + 1]; ++i) {
+      sum += corners_.gain(graph_.corners[i].corner, graph_.corners[i].times, chart);
     }
     return sum;
   }
@@ -103,48 +97,45 @@ class NodeStore {
   }
 
   bool onBorder(Index face) const {
-    const Node& node = nodes_[face];
-    if (node.atMeshBorder) return true;
+    if (graph_.atMeshBorder[face] != 0) return true;
+    const Index own = nodes_[face].label;
     for (const Way& way : waysOf(face)) {
-      if (nodes_[way.face].label != node.label) return true;
+      if (nodes_[way.face].label != own) return true;
     }
     return false;
   }
 
   template <class Visit>
-  void forEachInside(Index face, const Visit& visit) const {
-    for (const Way& way : waysOf(face)) {
-      if (nodes_[way.face].label == nodes_[face].label) visit(way.face, way.delay);
-    }
+  void forEachWay(Index face, const Visit& visit) const {
+    for (const Way& way : waysOf(face)) visit(way.face, way.delay);
   }
 
-  void prefetchFace(Index face) const { __builtin_prefetch(&nodes_[face], 1); }
-  void prefetchNeighbours(Index face) const {
-    // More than a few neighbours have those of clusters, which are few enough for the cache.
-    if (waysOf(face).size() > 3) return;
-    for (const Way& way : waysOf(face)) __builtin_prefetch(&nodes_[way.face], 1);
-  }
+  // Nodes are few enough for the cache.
+  void prefetchFace(Index) const {}
+  void prefetchNeighbours(Index) const {}
+  void prefetchWays(Index) const {}
 
  private:
   struct Way {
     Index face;
     float delay;
   };
-  struct alignas(32) Node {
-    Index begin = 0, end = 0;  ///< of ways_
+  /// What others ask of a node, a quarter of a cache line.
+  struct alignas(16) Node {
     float gain = 0;
     Index label = kNone;
     Index lastChart = kNone;  ///< that was offered the node last, and for when
     float lastTime = 0;
-    bool atMeshBorder = false, hasEdges = false, hasCorners = false;
   };
+  static constexpr std::uint8_t kEdges = 1, kCorners = 2;
 
   std::span<const Way> waysOf(Index face) const {
-    return {ways_.data() + nodes_[face].begin, ways_.data() + nodes_[face].end};
+    return {ways_.data() + graph_.arcBegin[face], ways_.data() + graph_.arcBegin[face + 1]};
   }
 
   const FloodGraph& graph_;
   std::vector<Node> nodes_;
+  std::vector<std::uint8_t> special_;  ///< of each node: has edges or corners with Gauss area
   std::vector<Way> ways_;
   CornerState corners_;
 };

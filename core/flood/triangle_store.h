@@ -100,16 +100,17 @@ class TriangleStore {
     return word.across[0] != word.own || word.across[1] != word.own || word.across[2] != word.own;
   }
 
-  /// Calls `visit(neighbour, delay)` for each neighbour in the same chart.
+  /// Calls `visit(neighbour, delay)` for each neighbour, whatever its chart.
   template <class Visit>
-  void forEachInside(Index face, const Visit& visit) const {
+  void forEachWay(Index face, const Visit& visit) const {
     if (isHub(face)) return;
     const FloodFace& record = graph_.faces[face];
-    const Word& word = words_[face];
     for (int k = 0; k < 3; ++k) {
-      if (word.across[k] == word.own) visit(record.neighbour[k] >> 2, record.delay[k]);
+      if (record.neighbour[k] != kNone) visit(record.neighbour[k] >> 2, record.delay[k]);
     }
   }
+  /// Fetches what forEachWay() reads.
+  void prefetchWays(Index face) const { __builtin_prefetch(graph_.faces.data() + face); }
 
   void prefetchFace(Index face) const {
     __builtin_prefetch(graph_.faces.data() + face);

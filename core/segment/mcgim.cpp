@@ -41,15 +41,15 @@ class GrownCharts {
     return false;
   }
   template <class Visit>
-  void forEachInside(Index face, const Visit& visit) const {
+  void forEachWay(Index face, const Visit& visit) const {
     const Index chart = label(face);
     for (Index a = graph_.begin(face); a < graph_.begin(face + 1); ++a) {
       const GrowthArc& arc = graph_.arcs[a];
-      if (arc.face == kNone || label(arc.face) != chart) continue;
+      if (arc.face == kNone) continue;
       visit(arc.face, cost_(0, normals_[chart], graph_.faces[arc.face], arc.length));
     }
   }
-  void prefetchFace(Index face) const { __builtin_prefetch(&graph_.faces[face]); }
+  void prefetchWays(Index face) const { __builtin_prefetch(&graph_.faces[face]); }
 
  private:
   const GrowthGraph& graph_;
