@@ -25,13 +25,6 @@ class ArcStore {
   bool isFree(Index face) const { return label_[face] == kNone; }
   Index label(Index face) const { return label_[face]; }
 
-  void take(Index face, Index chart) {
-    label_[face] = chart;
-    for (Index i = graph_.cornerBegin[face]; i < graph_.cornerBegin[face + 1]; ++i) {
-      corners_.take(graph_.corners[i].corner, graph_.corners[i].times, chart);
-    }
-  }
-
   double gain(Index face, Index chart) const {
     double sum = static_cast<double>(graph_.gain[face]);
     for (const FloodArc& arc : arcs(face)) {
@@ -44,7 +37,11 @@ class ArcStore {
   }
 
   template <class Offer>
-  void forEachOffer(Index face, Index chart, float time, const Offer& offer) const {
+  void take(Index face, Index chart, float time, const Offer& offer) {
+    label_[face] = chart;
+    for (Index i = graph_.cornerBegin[face]; i < graph_.cornerBegin[face + 1]; ++i) {
+      corners_.take(graph_.corners[i].corner, graph_.corners[i].times, chart);
+    }
     for (const FloodArc& arc : arcs(face)) {
       if (label_[arc.face] != kNone) continue;
       const auto there = arcs(arc.face);

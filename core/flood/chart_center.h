@@ -17,8 +17,8 @@ namespace chartflood {
 
 /// Finds the farthest faces over a finished Store. Distances are the least fixed point of
 /// dist(g) = min(dist(f) + delay(f, g)), which any order of relaxation reaches: they equal
-/// Dijkstra's and do not depend on bucket width or threads. Ways from chart to chart need no asking:
-/// the faces there are on the border themselves, and nothing is nearer than that.
+/// Dijkstra's and do not depend on bucket width or threads. Ways from chart to chart need no
+/// asking: the faces there are on the border themselves, and nothing is nearer than that.
 template <class Store>
 class ChartCenter {
  public:
@@ -86,8 +86,8 @@ class ChartCenter {
     }
   }
 
-  /// Label correcting over a ring of buckets: faces whose distance falls are put in again. Tells how
-  /// often one fell. Returns the lowest of the farthest faces: they are due in the last turn.
+  /// Label correcting over a ring of buckets: faces whose distance falls are put in again. Tells
+  /// how often one fell. Returns the lowest of the farthest faces: they are due in the last turn.
   Farthest relaxChart(const std::vector<Index>& sources, std::uint64_t& relaxed) {
     thread_local Turns turns;
     auto& [ring, batch, done] = turns;

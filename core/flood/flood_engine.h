@@ -123,11 +123,10 @@ class FloodEngine final : public Flood {
   /// Labels the face and offers its neighbours. With `fromHeap` the face is the heap's top, whose
   /// place the first offer takes.
   void take(Index face, Index chart, float time, bool fromHeap) {
-    store_.take(face, chart);
     ++counts_.takes;
     if (record_) record_->append(face, chart, time);
     MinHeap& heap = charts_[chart].heap;
-    store_.forEachOffer(face, chart, time, [&](Index neighbour, float arrival) {
+    store_.take(face, chart, time, [&](Index neighbour, float arrival) {
       const TimedFace offer = timedFace(arrival, neighbour);
       if (fromHeap) {
         heap.replaceTop(offer);

@@ -42,14 +42,6 @@ class NodeStore {
   bool isFree(Index face) const { return nodes_[face].label == kNone; }
   Index label(Index face) const { return nodes_[face].label; }
 
-  void take(Index face, Index chart) {
-    nodes_[face].label = chart;
-    if ((special_[face] & kCorners) == 0) return;
-    for (Index i = graph_.cornerBegin[face]; i < graph_.cornerBegin[face + 1]; ++i) {
-      corners_.take(graph_.corners[i].corner, graph_.corners[i].times, chart);
-    }
-  }
-
   double gain(Index face, Index chart) const {
     double sum = static_cast<double>(nodes_[face].gain);
     if (special_[face] == 0) return sum;
@@ -67,7 +59,13 @@ class NodeStore {
   }
 
   template <class Offer>
-  void forEachOffer(Index face, Index chart, float time, const Offer& offer) {
+  void take(Index face, Index chart, float time, const Offer& offer) {
+    nodes_[face].label = chart;
+    if ((special_[face] & kCorners) != 0) {
+      for (Index i = graph_.cornerBegin[face]; i < graph_.cornerBegin[face + 1]; ++i) {
+        corners_.take(graph_.corners[i].corner, graph_.corners[i].times, chart);
+      }
+    }
     const std::span<const Way> ways = waysOf(face);
     // Which ways offer is anyone's guess: collected without branches, a few at a time.
     constexpr std::size_t kTogether = 8;

@@ -25,7 +25,6 @@ class TriangleStore {
       for (int k = 0; k < 3; ++k) {
         if (graph.faces[f].neighbour[k] != kNone) dry_[f].across[k] = kFree;
       }
-      sharesSides_ = sharesSides_ || sharesSides(graph.faces[f]);
     }
     words_.resize(dry_.size());
     reset();
@@ -42,24 +41,39 @@ class TriangleStore {
   bool isFree(Index face) const { return words_[face].own == kFree; }
   Index label(Index face) const { return words_[face].own == kFree ? kNone : words_[face].own; }
 
-  /// Labels the face and tells its neighbours.
-  void take(Index face, Index chart) {
+  /// Labels the face, tells its neighbours, and calls `offer(neighbour, arrival)` for each free one
+  /// that no other face of the chart has offered before ("first incidence").
+  template <class Offer>
+  void take(Index face, Index chart, float time, const Offer& offer) {
+    if (isHub(face)) return takeHub(face, chart, time, offer);
     const Label label = static_cast<Label>(chart);
-    words_[face].own = label;
-    if (isHub(face)) {
-      for (const FloodHubSide& at : hubSides(face))
-        words_[at.side >> 2].across[at.side & 3] = label;
-      for (const FloodCorner& c : hubCorners(face)) corners_.take(c.corner, c.times, chart);
-      return;
-    }
     const FloodFace& record = graph_.faces[face];
-    for (const Index n : record.neighbour) {
-      if (n != kNone) words_[n >> 2].across[n & 3] = label;
+    // Which sides offer is anyone's guess: collected without branches, and one branch on how many.
+    // Words are read as a whole before any label is written: a read that meets a part written just
+    // before waits until the write has reached the cache.
+    struct {
+      Index face;
+      float arrival;
+    } offers[3];
+    std::size_t count = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Index n = record.neighbour[k];
+      if (n == kNone) continue;
+      Word& there = words_[n >> 2];
+      const Word before = there;
+      there.across[n & 3] = label;
+      const bool met =
+          (before.across[0] == label) | (before.across[1] == label) | (before.across[2] == label);
+      offers[count] = {n >> 2, time + record.delay[k]};
+      count += (before.own == kFree) & !met ? 1 : 0;
     }
-    if (record.extra == 0) return;
-    for (const Index corner : graph_.extras[record.extra].corner) {
-      if (corner != kNone) corners_.take(corner, 1, chart);
+    words_[face].own = label;
+    if (record.extra != 0) {
+      for (const Index corner : graph_.extras[record.extra].corner) {
+        if (corner != kNone) corners_.take(corner, 1, chart);
+      }
     }
+    for (std::size_t i = 0; i < count; ++i) offer(offers[i].face, offers[i].arrival);
   }
 
   /// Gauss area (plus eta times area) that `chart` gains by the face (Delta A_G of section 3.3).
@@ -75,23 +89,6 @@ class TriangleStore {
       if (extra.corner[k] != kNone) sum += corners_.gain(extra.corner[k], 1, chart);
     }
     return sum;
-  }
-
-  /// Calls `offer(neighbour, arrival)` for each free neighbour of a face just taken at `time` that
-  /// no other face of the chart has offered before ("first incidence").
-  template <class Offer>
-  void forEachOffer(Index face, Index chart, float time, const Offer& offer) const {
-    if (isHub(face)) {
-      // Nothing else of the chart has been taken yet.
-      Index last = kNone;
-      for (const FloodHubSide& at : hubSides(face)) {
-        if (at.side >> 2 != last) offer(at.side >> 2, time + at.delay);
-        last = at.side >> 2;
-      }
-      return;
-    }
-    sharesSides_ ? offerAll<true>(face, chart, time, offer)
-                 : offerAll<false>(face, chart, time, offer);
   }
 
   /// True when the face touches another chart or the mesh border.
@@ -135,49 +132,18 @@ class TriangleStore {
     const Index begin = face == graph_.faces.size() ? 0 : hub(face - 1).cornerEnd;
     return std::span(graph_.hubCorners).subspan(begin, hub(face).cornerEnd - begin);
   }
-  static bool sharesSides(const FloodFace& face) {
-    const auto across = [&](int k) { return face.neighbour[k] >> 2; };
-    return (face.neighbour[0] != kNone && (across(0) == across(1) || across(0) == across(2))) ||
-           (face.neighbour[1] != kNone && across(1) == across(2));
-  }
-
-  /// \tparam kShares faces may share several edges
-  template <bool kShares, class Offer>
-  void offerAll(Index face, Index chart, float time, const Offer& offer) const {
-    const FloodFace& record = graph_.faces[face];
-    const Word word = words_[face];
-    const Label mark = static_cast<Label>(chart);
-    // Which sides offer is anyone's guess: collected without branches, and one branch on how many.
-    struct {
-      Index face;
-      float arrival;
-    } offers[3];
-    std::size_t count = 0;
-    for (int k = 0; k < 3; ++k) {
-      const bool free = word.across[k] == kFree;
-      const Index neighbour = free ? record.neighbour[k] >> 2 : face;
-      const Word& there = words_[neighbour];
-      const int incidences =
-          (there.across[0] == mark) + (there.across[1] == mark) + (there.across[2] == mark);
-      const bool first = kShares ? onlyMeetsHere(record, k, incidences) : incidences == 1;
-      offers[count] = {neighbour, time + record.delay[k]};
-      count += free & first ? 1 : 0;
+  template <class Offer>
+  void takeHub(Index face, Index chart, float time, const Offer& offer) {
+    const Label label = static_cast<Label>(chart);
+    words_[face].own = label;
+    for (const FloodCorner& c : hubCorners(face)) corners_.take(c.corner, c.times, chart);
+    // Nothing else of the chart has been taken yet.
+    Index last = kNone;
+    for (const FloodHubSide& at : hubSides(face)) {
+      words_[at.side >> 2].across[at.side & 3] = label;
+      if (at.side >> 2 != last) offer(at.side >> 2, time + at.delay);
+      last = at.side >> 2;
     }
-    for (std::size_t i = 0; i < count; ++i) offer(offers[i].face, offers[i].arrival);
-  }
-
-  /// For faces that share several edges: true when all incidences of the neighbour across side k
-  /// are with this face, and side k is the first of them.
-  static bool onlyMeetsHere(const FloodFace& record, int k, int incidences) {
-    int shared = 0;
-    for (int i = 0; i < 3; ++i) {
-      if (record.neighbour[i] == kNone || record.neighbour[i] >> 2 != record.neighbour[k] >> 2) {
-        continue;
-      }
-      if (shared == 0 && i != k) return false;
-      ++shared;
-    }
-    return shared == incidences;
   }
 
   struct Word {
@@ -189,7 +155,6 @@ class TriangleStore {
 
   const FloodGraph& graph_;
   std::vector<Word> dry_, words_;
-  bool sharesSides_ = false;  ///< two faces share several edges somewhere
   CornerState corners_;
 };
 
