@@ -1,7 +1,6 @@
 #include "core/segment/fast_flooding.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -9,7 +8,6 @@
 #include <vector>
 
 #include "core/base/check.h"
-#include "core/base/parallel.h"
 #include "core/base/rng.h"
 #include "core/segment/balance.h"
 #include "core/segment/coarse_graph.h"
@@ -30,9 +28,8 @@ constexpr double kUnevenCoarse = 0.1;   // S that other seeds may better: a band
 constexpr double kEvenBand = 0.02;      // S that is good enough
 constexpr std::size_t kBandRounds = 8;  // at most
 constexpr std::size_t kBandPatience = 3;
-constexpr std::size_t kOtherStarts = 2;
 constexpr std::size_t kWideCluster = 64;  // faces: one such on each side of a seam is enough
-constexpr std::uint32_t kSeedStep = 0x9e3779b9u;  // between the generator seeds of other starts
+constexpr std::uint32_t kSeedStep = 0x9e3779b9u;  // to the generator seed of the other start
 
 /// Clusters that the band takes in on each side of a seam.
 std::size_t bandRings(std::size_t faces, std::size_t clusters) {
@@ -93,7 +90,7 @@ class FastFlooding final : public FloodRounds {
 
  private:
   /// What the next round is.
-  enum class Next { Coarse, OtherStarts, Band };
+  enum class Next { Coarse, OtherStart, Band };
 
   FloodStart present() const override {
     return {nullptr, 0, seedFaces_, plan_.offsets(), {}, {}, fast_};
@@ -161,12 +158,12 @@ class FastFlooding final : public FloodRounds {
     if (badnessOf(balance_) < best_.badness) {
       best_ = {badnessOf(balance_), plan_.seeds(), plan_.offsets()};
     }
-    if (next_ == Next::OtherStarts) stop = StopReason::NoImprovement;  // the best of all, once more
+    if (next_ == Next::OtherStart) stop = StopReason::NoImprovement;  // the best of all, once more
     if (stop == StopReason::NotStopped) return judgement;
     const double s = best_.badness * std::sqrt(static_cast<double>(plan_.seeds().size()));
     const bool tryOthers = next_ == Next::Coarse && balance_.defined && s > kUnevenCoarse &&
                            options().seeds.empty() && options().maxIterations > 1;
-    next_ = tryOthers ? Next::OtherStarts : Next::Band;
+    next_ = tryOthers ? Next::OtherStart : Next::Band;
     if (!hasSeams()) judgement.stop = stop;
     return judgement;
   }
@@ -198,9 +195,9 @@ class FastFlooding final : public FloodRounds {
       return 0;
     }
     if (next_ == Next::Coarse) return plan_.takeNext();
-    if (next_ == Next::OtherStarts) {
+    if (next_ == Next::OtherStart) {
       progress.beginPhase("Trying other seeds");
-      const CoarseRound other = bestOfOtherStarts(progress);
+      const CoarseRound other = runCoarse(options().rngSeed + kSeedStep, progress);
       if (progress.cancelled()) return std::nullopt;
       if (other.badness < best_.badness) {
         plan_.standAt(other.seeds, other.offsets);
@@ -281,17 +278,7 @@ class FastFlooding final : public FloodRounds {
   }
   bool hasSeams() const { return plan_.seeds().size() > mesh().componentCount(); }
 
-  /// The best round of runs from other seeds, all threads at once.
-  CoarseRound bestOfOtherStarts(Progress& progress) const {
-    std::array<CoarseRound, kOtherStarts> best;
-    parallelFor(kOtherStarts, [&](std::size_t i) {
-      best[i] =
-          runCoarse(options().rngSeed + kSeedStep * static_cast<std::uint32_t>(i + 1), progress);
-    });
-    return *std::min_element(best.begin(), best.end(),
-                             [](const auto& a, const auto& b) { return a.badness < b.badness; });
-  }
-
+  /// The best round of a run from other seeds.
   CoarseRound runCoarse(std::uint32_t rngSeed, const Progress& progress) const {
     Rng rng(rngSeed);
     const std::size_t charts = plan_.seeds().size();

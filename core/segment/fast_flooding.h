@@ -17,10 +17,11 @@ bool searchesFast(const Mesh& mesh, const SegmentOptions& options);
 /// A stepper of method "t-flooding" whose rounds are
 ///
 /// - floods of the clusters with shortest times, seeds moved and offsets kept as usual, until the
-///   usual rules stop them; when that left the charts uneven and chance placed the seeds, three
-///   more runs with other seeds are tried aside and the best round of all is flooded once more;
+///   usual rules stop them, with seven tenths of the patience; when that left the charts uneven and
+///   chance placed the seeds, a run with other seeds is tried aside and the best round of both is
+///   flooded once more;
 /// - then floods of the band with these charts' rests as seeds and offsets of its own, until
-///   sqrt(n) std / mean < 0.01 or three rounds bring no gain.
+///   sqrt(n) std / mean < 0.02 or three rounds bring no gain.
 ///
 /// Each round labels all faces; the log of one takes the faces of a cluster one after the other.
 /// The best round of the band is kept and its borders are refined as usual.
