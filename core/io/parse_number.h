@@ -2,9 +2,12 @@
 /// Numbers in text files: exact, independent of the locale, and fast.
 
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 
 namespace chartflood {
@@ -20,6 +23,35 @@ struct RealResult {
 
 /// The numbers that the quick way leaves over: many digits, large exponents, "nan", "inf".
 RealResult parseRealExactly(const char* begin, const char* end);
+
+/// Appends the digits at `p` to `value`, wrapping around like it; returns the first character
+/// behind them. Eight at a time: how many there are is anyone's guess, and a branch on each
+/// mispredicted.
+inline const char* parseDigits(const char* p, const char* end, std::uint64_t& value) {
+  static constexpr std::array<std::uint64_t, 9> kShift = {
+      1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+  while (std::endian::native == std::endian::little && end - p >= 8) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, p, 8);
+    bytes ^= 0x3030303030303030u;  // digits become 0 to 9
+    // The lowest marked byte is no digit. Carries only reach those above it.
+    const std::uint64_t others = ((bytes + 0x7676767676767676u) | bytes) & 0x8080808080808080u;
+    const int count = others == 0 ? 8 : std::countr_zero(others) / 8;
+    // As if zeros came before the digits; in two steps, as all 64 bits may have to go.
+    bytes = bytes << (32 - 4 * count) << (32 - 4 * count);
+    bytes = 10 * bytes + (bytes >> 8);  // pairs, then fours, then all eight
+    bytes = ((bytes & 0x000000ff000000ffu) * (100 + (1000000ull << 32)) +
+             ((bytes >> 16) & 0x000000ff000000ffu) * (1 + (10000ull << 32))) >>
+            32;
+    value = value * kShift[static_cast<std::size_t>(count)] + bytes;
+    p += count;
+    if (count < 8) return p;
+  }
+  while (p < end && static_cast<unsigned char>(*p - '0') < 10) {
+    value = value * 10 + static_cast<unsigned char>(*p++ - '0');
+  }
+  return p;
+}
 
 /// Reads "-1", "+.5", "1e-3", "nan" at `begin`; values below the smallest double become 0.
 /// Up to 19 digits whose value and power of ten are exact doubles need one rounding only (Clinger's
@@ -40,9 +72,7 @@ inline RealResult parseReal(const char* begin, const char* end) {
   int exponent = 0;
   if (p < end && *p == '.') {
     const char* const fraction = ++p;
-    while (p < end && static_cast<unsigned char>(*p - '0') < 10) {
-      digits = digits * 10 + static_cast<unsigned char>(*p++ - '0');
-    }
+    p = parseDigits(p, end, digits);
     exponent = -static_cast<int>(p - fraction < 100 ? p - fraction : 100);
     length += p - fraction;
   }

@@ -211,15 +211,12 @@ Index ObjReader::readCorner(Early& early) {
 /// from 1.
 std::int64_t ObjReader::readVertexNumber(std::int64_t& early) {
   // Plain short numbers of vertices that came before: nearly all.
-  const char* p = p_;
-  std::uint32_t plain = 0;
-  while (p < end_ && p - p_ < 9 && static_cast<unsigned char>(*p - '0') < 10) {
-    plain = 10 * plain + static_cast<unsigned char>(*p++ - '0');
-  }
-  const bool ended = p < end_ && (*p == ' ' || *p == '/' || *p == '\n');
+  std::uint64_t plain = 0;
+  const char* const p = parseDigits(p_, end_, plain);
+  const bool ended = p < end_ && p - p_ < 10 && (*p == ' ' || *p == '/' || *p == '\n');
   if (ended && plain - 1 < mesh_.positions.size()) {
     p_ = p;
-    return plain - 1;
+    return static_cast<std::int64_t>(plain) - 1;
   }
   const IntegerResult number = parseInteger(p_, end_);
   if (number.status == NumberStatus::NotANumber) {

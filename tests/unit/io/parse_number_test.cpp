@@ -1,6 +1,8 @@
 #include "core/io/parse_number.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -29,6 +31,27 @@ TEST(ParseReal, EqualsTheLibraryBitForBit) {
     const RealResult result = parse(word);
     ASSERT_EQ(result.status, NumberStatus::Ok) << word;
     EXPECT_EQ(result.value, std::strtod(word.c_str(), nullptr)) << word;
+  }
+}
+
+TEST(ParseDigits, StopsAtWhateverIsNoDigit) {
+  for (int other = 0; other < 256; ++other) {
+    if (other >= '0' && other <= '9') continue;
+    for (std::size_t count = 0; count <= 19; ++count) {
+      const std::string digits = std::string("9081726354506172839").substr(0, count);
+      const std::string text = digits + static_cast<char>(other) + "12345678901234567890";
+      std::uint64_t value = 7;
+      const char* const end = parseDigits(text.data(), text.data() + text.size(), value);
+      ASSERT_EQ(static_cast<std::size_t>(end - text.data()), count) << other;
+      // Wraps around as plain arithmetic does.
+      std::uint64_t expected = 7;
+      for (const char digit : digits) expected = 10 * expected + static_cast<unsigned>(digit - '0');
+      ASSERT_EQ(value, expected) << other;
+      // The same at the very end of the text.
+      value = 7;
+      EXPECT_EQ(parseDigits(text.data(), text.data() + count, value), text.data() + count);
+      ASSERT_EQ(value, expected);
+    }
   }
 }
 
