@@ -12,14 +12,23 @@ constexpr std::size_t kBlock = 2048;  // triangles that are uploaded together
 }
 
 FloodLayer::FloodLayer(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
-  follow(nullptr);
+  dry(0);
 }
 
 void FloodLayer::follow(std::shared_ptr<const FloodRecord> record) {
   record_ = std::move(record);
+  dry(record_ ? mesh_->triangleCount() : 0);
+}
+
+void FloodLayer::prepare() {
+  if (orderAndChart_.empty()) dry(mesh_->triangleCount());
+}
+
+/// Nothing is taken of so many triangles, which get their room.
+void FloodLayer::dry(std::size_t triangles) {
   taken_ = 0;
-  orderAndChart_.assign(mesh_->triangleCount(), glm::uvec2(kNone));
-  timeOf_.assign(mesh_->triangleCount(), 0.0f);
+  orderAndChart_.assign(triangles, glm::uvec2(kNone));
+  timeOf_.assign(triangles, 0.0f);
   longestTime_.clear();
   changedBlocks_.assign(mesh_->triangleCount() / kBlock + 1, false);
   seamEnds_.clear();

@@ -23,6 +23,8 @@ class FloodLayer {
   /// Follows this record from its first entry, of which nothing is taken in yet; null dries
   /// everything.
   void follow(std::shared_ptr<const FloodRecord> record);
+  /// Makes the arrays that bindOrder() and bindTime() show, which a dry mesh is without.
+  void prepare();
   /// Uploads what the record published since the last call, at most so many entries of it. Cost:
   /// the new part alone. \returns false when entries are left
   bool update(std::size_t most);
@@ -33,8 +35,10 @@ class FloodLayer {
   std::size_t chartCount() const { return longestTime_.size(); }
   /// Largest local time of each chart.
   const std::vector<float>& longestTime() const { return longestTime_; }
-  /// The (order, chart) of each triangle, kNone while dry.
-  const std::vector<glm::uvec2>& taken() const { return orderAndChart_; }
+  /// The (order, chart) of a triangle, kNone while dry.
+  glm::uvec2 taken(Index triangle) const {
+    return orderAndChart_.empty() ? glm::uvec2(kNone) : orderAndChart_[triangle];
+  }
 
   void bindOrder(GLuint unit) const { order_.bind(unit); }
   void bindTime(GLuint unit) const { time_.bind(unit); }
@@ -43,6 +47,7 @@ class FloodLayer {
   std::size_t seamCount(std::size_t playhead) const;
 
  private:
+  void dry(std::size_t triangles);
   void take(std::size_t order);
   void addSeams(Index face, Index chart, std::size_t order);
   void uploadChanges();

@@ -42,7 +42,7 @@ unsigned Renderer::hoveredChart(const RenderSettings& settings) const {
 
 Index Renderer::shownChart(Index triangle, const RenderSettings& settings) const {
   if (!settings.playhead) return charts_->chartOf(triangle);
-  const glm::uvec2 taken = flood_->taken()[triangle];
+  const glm::uvec2 taken = flood_->taken(triangle);
   return taken.x < *settings.playhead ? taken.y : kNone;
 }
 

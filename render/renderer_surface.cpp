@@ -201,6 +201,7 @@ void Renderer::setTriangleMarks(gl::Program& program, const Frame& frame) {
 std::size_t Renderer::drawSurface(const Frame& frame, std::size_t first, std::size_t count) {
   const std::size_t end = first + std::min(count, mesh_->triangleCount() - first);
   const RenderSettings& settings = frame.settings;
+  if (settings.playhead) flood_->prepare();  // before anything is bound
   gl::Program& program = surfaceProgram(frame);
   program.use();
   setEye(program, frame.eye);

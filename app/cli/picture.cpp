@@ -74,8 +74,11 @@ float pixelScale(int width, int height) {
 void fill(Renderer& renderer, const Results& results, const PictureOptions& options,
           bool inTexture = false) {
   const Needs needs = needsOf(results, options, inTexture);
-  const CornerNormals normals = computeCornerNormals(*results.mesh, results.parameters.sharpAngle);
-  renderer.setMesh(results.mesh, &normals);
+  {
+    const CornerNormals normals =
+        computeCornerNormals(*results.mesh, results.parameters.sharpAngle);
+    renderer.setMesh(results.mesh, &normals);
+  }
   if (needs.gauss) renderer.setGaussArea(results.gaussArea.get());
   renderer.setChartColors(options.chartColors);
   renderer.setSegmentation(results.segmentation.get());

@@ -36,6 +36,14 @@ std::vector<ChartSurface> cutOut(const Mesh& mesh, std::span<const Index> label,
   std::vector<ChartSurface> surfaces(chartCount);
   std::vector<Index> local(mesh.triangleCount(), kNone);
   const auto chartOf = [&](Index triangle) { return label[mesh.faceOf(triangle)]; };
+  std::vector<std::size_t> size(chartCount, 0);
+  for (Index t = 0; t < mesh.triangleCount(); ++t) {
+    if (chartOf(t) != kNone) ++size[chartOf(t)];
+  }
+  for (std::size_t c = 0; c < chartCount; ++c) {
+    surfaces[c].meshTriangle.reserve(size[c]);
+    surfaces[c].triangles.reserve(size[c]);
+  }
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
     if (chartOf(t) == kNone) continue;
     ChartSurface& s = surfaces[chartOf(t)];
@@ -68,6 +76,9 @@ void numberVertices(const Mesh& mesh, ChartSurface& s) {
     s.positions.push_back(mesh.positions()[meshVertex]);
     giveFan(s, side, vertex, visited);
   }
+  // Charts of large models stay for long.
+  s.meshVertex.shrink_to_fit();
+  s.positions.shrink_to_fit();
 }
 
 }  // namespace

@@ -71,14 +71,15 @@ std::shared_ptr<const ChartSet> cutCharts(const Mesh& mesh, const Segmentation& 
   std::vector<ChartSurface> surfaces =
       extractCharts(mesh, segmentation.label, segmentation.chartCount);
   const auto set = std::make_shared<ChartSet>();
-  set->charts.resize(surfaces.size());
+  set->charts = CutCharts(surfaces.size());
   std::atomic<std::size_t> triangles{0};
   parallelFor(surfaces.size(), [&](std::size_t c) {
     if (progress.cancelled()) return;
-    CutChart& chart = set->charts[c];
+    CutChart chart;
     chart.surface = std::move(surfaces[c]);
     const std::size_t size = chart.surface.triangleCount();
     cutChart(chart, options, options.seed + static_cast<std::uint32_t>(c), progress);
+    set->charts.put(c, std::move(chart));
     const std::size_t done = triangles.fetch_add(size) + size;
     progress.setFraction(static_cast<float>(done) / static_cast<float>(mesh.triangleCount()));
   });

@@ -156,6 +156,7 @@ std::shared_ptr<const InputMesh> readMesh(const std::filesystem::path& file, Pro
     if (mesh.positions.size() >= kNone || mesh.corners.size() >= kNone) {
       source.fail("it has more than 4 billion vertices or corners");
     }
+    mesh.shrink();
     joinUnsharedFaces(mesh);
     if (progress != nullptr) progress->setFraction(1);
     return std::make_shared<const InputMesh>(std::move(mesh));

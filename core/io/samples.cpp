@@ -101,6 +101,7 @@ std::shared_ptr<const InputMesh> makeSample(std::string_view id, std::size_t tri
     mesh.file = std::string(id);
     // The shapes are built around a z axis that points up; viewers take y for that.
     for (glm::dvec3& p : mesh.positions) p = {p.x, p.z, -p.y};
+    mesh.shrink();
     return std::make_shared<const InputMesh>(std::move(mesh));
   }
   std::string known;

@@ -1,8 +1,11 @@
 #pragma once
 /// The charts as surfaces, with the cuts that make them disks (paper section 3.6).
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/index.h"
@@ -43,9 +46,55 @@ struct CutChart {
   }
 };
 
+/// A list of charts; its copies share them.
+class CutCharts {
+ public:
+  class Iterator {
+   public:
+    using difference_type = std::ptrdiff_t;
+    using value_type = CutChart;
+
+    Iterator() = default;
+    explicit Iterator(const std::shared_ptr<const CutChart>* at) : at_(at) {}
+    const CutChart& operator*() const { return **at_; }
+    const CutChart* operator->() const { return at_->get(); }
+    Iterator& operator++() {
+      ++at_;
+      return *this;
+    }
+    Iterator operator++(int) { return Iterator(at_++); }
+    bool operator==(const Iterator&) const = default;
+
+   private:
+    const std::shared_ptr<const CutChart>* at_ = nullptr;
+  };
+
+  CutCharts() = default;
+  /// \pre put() fills each place before it is looked at
+  explicit CutCharts(std::size_t count) : charts_(count) {}
+
+  std::size_t size() const { return charts_.size(); }
+  bool empty() const { return charts_.empty(); }
+  const CutChart& operator[](std::size_t chart) const { return *charts_[chart]; }
+  Iterator begin() const { return Iterator(charts_.data()); }
+  Iterator end() const { return Iterator(charts_.data() + charts_.size()); }
+
+  /// Replaces a chart. Threads may fill different places at once.
+  void put(std::size_t place, CutChart chart) {
+    charts_[place] = std::make_shared<const CutChart>(std::move(chart));
+  }
+  void push_back(CutChart chart) {
+    charts_.emplace_back();
+    put(charts_.size() - 1, std::move(chart));
+  }
+
+ private:
+  std::vector<std::shared_ptr<const CutChart>> charts_;
+};
+
 /// One entry a chart, by its number.
 struct ChartSet {
-  std::vector<CutChart> charts;
+  CutCharts charts;
 };
 
 }  // namespace chartflood

@@ -34,6 +34,12 @@ struct InputMesh {
   std::vector<Index> weld;
   std::vector<Repair> repairs;  ///< what the reader already had to say
 
+  /// Gives back the room that was kept for more vertices and faces.
+  void shrink() {
+    positions.shrink_to_fit();
+    corners.shrink_to_fit();
+    faceStart.shrink_to_fit();
+  }
   std::size_t faceCount() const {
     return faceStart.empty() ? corners.size() / 3 : faceStart.size() - 1;
   }

@@ -122,15 +122,20 @@ bool clearlyBetter(const Attempt& a, const Attempt& b) {
   return a.flat.chart.distortion.l2 < kWorthwhile * b.flat.chart.distortion.l2;
 }
 
-/// Cuts while the chart stretches more than `limit`, and keeps the cuts that helped.
-void relieve(CutChart& chart, Attempt& best, double limit, const UnwrapOptions& options,
-             const Progress& progress) {
+/// Cuts while the chart stretches more than `limit`, and keeps the cuts that helped: `relieved` has
+/// them, if any did.
+void relieve(const CutChart& chart, Attempt& best, std::optional<CutChart>& relieved, double limit,
+             const UnwrapOptions& options, const Progress& progress) {
+  const auto well = [&](const Attempt& attempt) {
+    return attempt.bad == 0 && !(attempt.flat.chart.distortion.l2 > limit);
+  };
+  if (well(best)) return;
   CutChart trial = chart;
   Attempt last = best;
   std::size_t waited = 0;
   for (std::size_t cuts = 0; cuts < kMostReliefCuts && waited < kPatience; ++cuts) {
     if (progress.cancelled() || last.flat.chart.uv.empty()) return;
-    if (last.bad == 0 && !(last.flat.chart.distortion.l2 > limit)) return;
+    if (well(last)) return;
     const Index vertex = reliefVertex(trial.surface, last);
     const auto triangles = trial.surface.triangles;
     if (vertex == kNone || !cutToBoundary(trial, vertex, CutReason::Relief)) return;
@@ -139,31 +144,34 @@ void relieve(CutChart& chart, Attempt& best, double limit, const UnwrapOptions& 
     ++waited;
     if (last.flat.chart.uv.empty() || !clearlyBetter(last, best)) continue;
     best = last;
-    chart = trial;
+    relieved = trial;
     waited = 0;
   }
 }
 
 }  // namespace
 
-FlatChart unwrapChart(CutChart& chart, const UnwrapOptions& options, const Progress& progress) {
+FlatChart unwrapChart(const CutChart& chart, const UnwrapOptions& options,
+                      const Progress& progress) {
   if (!chart.disk()) {
     FlatChart none;
     none.chart.problem = chart.problem;
     return none;
   }
   Attempt best = layFlat(chart.surface, options, {}, progress);
+  std::optional<CutChart> relieved;
   const double factor = options.boundary == UnwrapOptions::Boundary::Circle ? kCircleFactor : 1;
   if (options.reliefStretch > 0) {
-    relieve(chart, best, factor * options.reliefStretch, options, progress);
+    relieve(chart, best, relieved, factor * options.reliefStretch, options, progress);
   }
   if (options.boundary == UnwrapOptions::Boundary::Circle && !progress.cancelled()) {
-    const ChartShape shape(chart.surface);
+    const ChartShape shape(relieved ? relieved->surface : chart.surface);
     if (!best.flat.chart.uv.empty() && !sturdy(shape.rest, best.flat.chart.uv)) {
       std::vector<glm::dvec2> uv = sturdyCircleMap(shape, progress);
       if (!uv.empty()) best = measured(shape, std::move(uv));
     }
   }
+  best.flat.relieved = std::move(relieved);
   return std::move(best.flat);
 }
 

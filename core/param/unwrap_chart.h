@@ -1,6 +1,9 @@
 #pragma once
 /// Lays one disk flat, with relief cuts where it would stretch too much.
 
+#include <optional>
+#include <vector>
+
 #include "core/base/progress.h"
 #include "core/model/chart_set.h"
 #include "core/model/unwrap.h"
@@ -13,10 +16,12 @@ namespace chartflood {
 struct FlatChart {
   ChartUv chart;
   std::vector<TriangleDistortion> triangles;  ///< empty when not laid flat
+  std::optional<CutChart> relieved;           ///< the chart with its relief cuts, if it got any
 };
 
-/// Lays a chart flat. Relief cuts are appended to it, at most 8.
+/// Lays a chart flat, with at most 8 relief cuts.
 /// \return anything when cancelled
-FlatChart unwrapChart(CutChart& chart, const UnwrapOptions& options, const Progress& progress);
+FlatChart unwrapChart(const CutChart& chart, const UnwrapOptions& options,
+                      const Progress& progress);
 
 }  // namespace chartflood

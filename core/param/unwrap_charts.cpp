@@ -52,9 +52,10 @@ UnwrapResult unwrapCharts(const Mesh& mesh, std::shared_ptr<const ChartSet> char
   const auto total = static_cast<float>(std::max<std::size_t>(1, mesh.triangleCount()));
   parallelFor(order.size(), [&](std::size_t i) {
     if (progress.cancelled()) return;
-    CutChart& chart = set->charts[order[i]];
-    FlatChart flat = unwrapChart(chart, options, progress);
+    FlatChart flat = unwrapChart(set->charts[order[i]], options, progress);
     if (progress.cancelled()) return;
+    if (flat.relieved) set->charts.put(order[i], *std::move(flat.relieved));
+    const CutChart& chart = set->charts[order[i]];
     storeTriangles(chart.surface, flat.triangles, *unwrap);
     unwrap->charts[order[i]] = std::move(flat.chart);
     done += chart.surface.triangleCount();

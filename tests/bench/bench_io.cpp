@@ -155,7 +155,9 @@ struct ChartedSample {
       for (const glm::dvec3& p : surface.positions) {
         uv.emplace_back(glm::dvec2(p.x + 0.1 * p.z, p.y) + 0.5);
       }
-      charts.charts.emplace_back().surface = std::move(surface);
+      CutChart chart;
+      chart.surface = std::move(surface);
+      charts.charts.push_back(std::move(chart));
     }
   }
   ChartedMesh view() const { return {*mesh, label, charts, atlas}; }

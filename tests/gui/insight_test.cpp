@@ -259,13 +259,14 @@ Results flatSquare(std::vector<glm::dvec2> uv) {
   labels->chartCount = 1;
   std::fill(labels->label.begin(), labels->label.end(), 0);
   auto charts = std::make_shared<ChartSet>();
-  charts->charts.resize(1);
-  ChartSurface& surface = charts->charts[0].surface;
+  CutChart chart;
+  ChartSurface& surface = chart.surface;
   surface.triangles = {{0, 1, 2}, {0, 2, 3}};
   surface.opposite = {kNone, kNone, 3, 2, kNone, kNone};
   surface.positions.assign(4, glm::dvec3(0));
   surface.meshTriangle = {0, 1};
-  charts->charts[0].topology = {1, 1, 1};
+  chart.topology = {1, 1, 1};
+  charts->charts.push_back(std::move(chart));
   auto unwrap = std::make_shared<Unwrap>();
   unwrap->charts.resize(1);
   unwrap->charts[0].uv = uv;

@@ -108,15 +108,16 @@ TEST(CutPath, LengthsRunOnWhicheverWayTheSidesPoint) {
 TEST(CornerUv, TakesEachCornerFromItsChartsVertex) {
   const auto mesh = test::plate(2, 1);
   ChartSet charts;
-  charts.charts.resize(2);
   Atlas atlas;
   atlas.uv.resize(2);
-  CutChart& chart = charts.charts[1];
+  CutChart chart;
   chart.surface.meshTriangle = {1, 3};
   chart.surface.triangles = {{0, 1, 2}, {2, 1, 3}};
   chart.surface.positions.resize(4);
   chart.cuts.push_back({CutReason::Tip, {4, 5}, 1});
   chart.cuts.push_back({CutReason::Handle, {9}, 1});
+  charts.charts.push_back({});
+  charts.charts.push_back(std::move(chart));
   atlas.uv[1] = {{0, 0}, {0.25, 0}, {0, 0.5}, {1, 1}};
   const auto uv = cornerUv(*mesh, charts, atlas);
   ASSERT_EQ(uv.size(), 12u);

@@ -69,9 +69,10 @@ Charted chartedMesh(std::shared_ptr<const Mesh> mesh, std::vector<Index> label) 
     if (chart != kNone) count = std::max(count, std::size_t{chart} + 1);
   }
   for (ChartSurface& surface : extractCharts(*out.mesh, out.label, count)) {
-    CutChart& chart = out.charts.charts.emplace_back();
+    CutChart chart;
     chart.before = chart.topology = topologyOf(surface);
     chart.surface = std::move(surface);
+    out.charts.charts.push_back(std::move(chart));
   }
   layFlat(out);
   return out;
@@ -103,7 +104,7 @@ Charted inPatches(std::shared_ptr<const Mesh> mesh, std::size_t size) {
 }
 
 void cutAlong(Charted& charted, Index chart, const std::vector<Index>& meshSides) {
-  CutChart& cut = charted.charts.charts[chart];
+  CutChart cut = charted.charts.charts[chart];
   std::vector<Index> local;
   for (Index side = 0; side < cut.surface.opposite.size(); ++side) {
     for (const Index wanted : meshSides) {
@@ -113,6 +114,7 @@ void cutAlong(Charted& charted, Index chart, const std::vector<Index>& meshSides
   openAlong(cut.surface, local);
   cut.topology = topologyOf(cut.surface);
   cut.cuts.push_back({CutReason::Loop, meshSides, 0});
+  charted.charts.charts.put(chart, std::move(cut));
   layFlat(charted);
 }
 

@@ -9,7 +9,7 @@
 namespace chartflood::test {
 
 void LaidCharts::add(const Polygon& vertices, const std::vector<std::array<Index, 3>>& triangles) {
-  CutChart& chart = charts.charts.emplace_back();
+  CutChart chart;
   ChartSurface& s = chart.surface;
   s.triangles = triangles;
   s.opposite.assign(3 * triangles.size(), kNone);
@@ -26,6 +26,7 @@ void LaidCharts::add(const Polygon& vertices, const std::vector<std::array<Index
     s.meshVertex.push_back(v);
     s.positions.emplace_back(vertices[v].x, vertices[v].y, 0);
   }
+  charts.charts.push_back(std::move(chart));
   unwrap.charts.push_back({vertices, {}, ""});
 }
 

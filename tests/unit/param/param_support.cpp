@@ -57,7 +57,7 @@ CutChart wholeChart(const Mesh& mesh, const std::vector<std::pair<Index, Index>>
 
 std::shared_ptr<const ChartSet> setOf(std::vector<CutChart> charts) {
   auto set = std::make_shared<ChartSet>();
-  set->charts = std::move(charts);
+  for (CutChart& chart : charts) set->charts.push_back(std::move(chart));
   return set;
 }
 

@@ -32,7 +32,7 @@ double l2Of(const ChartSurface& surface, const std::vector<glm::dvec2>& uv) {
 
 const ChartUv& only(const UnwrapResult& result) { return result.unwrap->charts.front(); }
 const ChartSurface& surfaceOf(const UnwrapResult& result) {
-  return result.charts->charts.front().surface;
+  return result.charts->charts[0].surface;
 }
 
 void expectSound(const UnwrapResult& result) {
@@ -214,10 +214,10 @@ TEST(Unwrap, LongFingersAreSlit) {
   for (const auto boundary : {UnwrapOptions::Boundary::Free, UnwrapOptions::Boundary::Circle}) {
     const UnwrapResult plain = test::unwrapWhole(*mesh, {boundary, 0});
     expectSound(plain);
-    EXPECT_TRUE(plain.charts->charts.front().cuts.empty());
+    EXPECT_TRUE(plain.charts->charts[0].cuts.empty());
     const UnwrapResult slit = test::unwrapWhole(*mesh, {boundary, 1.5});
     expectSound(slit);
-    const CutChart& chart = slit.charts->charts.front();
+    const CutChart& chart = slit.charts->charts[0];
     ASSERT_FALSE(chart.cuts.empty());
     EXPECT_LE(chart.cuts.size(), 8u);
     for (const Cut& cut : chart.cuts) EXPECT_EQ(cut.reason, CutReason::Relief);
@@ -233,7 +233,7 @@ TEST(Unwrap, ChartsWithoutStretchAreNotSlit) {
   const UnwrapResult result =
       test::unwrapWhole(*test::sampleMesh("bumps", 2000), {UnwrapOptions::Boundary::Free, 1.5});
   expectSound(result);
-  EXPECT_TRUE(result.charts->charts.front().cuts.empty());
+  EXPECT_TRUE(result.charts->charts[0].cuts.empty());
 }
 
 TEST(Unwrap, APocketBetweenTwoEdgesOfTheSameVerticesIsSlit) {
@@ -273,7 +273,7 @@ TEST(Unwrap, APocketBetweenTwoEdgesOfTheSameVerticesIsSlit) {
     Progress progress;
     const UnwrapResult result =
         unwrapCharts(*mesh, test::setOf({chart}), {boundary, 1.5}, progress);
-    ASSERT_EQ(result.charts->charts.front().cuts.size(), 1u);
+    ASSERT_EQ(result.charts->charts[0].cuts.size(), 1u);
     test::expectOneToOne(surfaceOf(result), only(result).uv);
   }
 }
