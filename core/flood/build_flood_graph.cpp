@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -48,12 +49,12 @@ class Slowness {
 struct GraphSource {
   const Mesh& mesh;
   FaceValues faceGauss, faceArea;
-  std::vector<glm::dvec3> centroid;
+  RawVector<glm::dvec3> centroid;
   std::vector<float> sideGain;  ///< Gauss area of each side's edge; empty when no edge has any
   std::vector<Index> cornerOf;  ///< corner number of each vertex; empty when there are none
   double floor = 0;
   Slowness slowness;
-  std::vector<double> faceSlowness;  ///< of each face, entered over an edge without Gauss area
+  RawVector<double> faceSlowness;  ///< of each face, entered over an edge without Gauss area
 
   void tableSlowness() {
     faceSlowness.resize(mesh.faceCount());
@@ -156,10 +157,11 @@ FaceValues faceAreas(const Mesh& mesh) {
   return FaceValues(std::move(out));
 }
 
-std::vector<glm::dvec3> faceCentroids(const Mesh& mesh) {
+namespace {
+
+void fillCentroids(const Mesh& mesh, std::span<glm::dvec3> out) {
   const auto positions = mesh.positions();
   const auto area = mesh.triangleArea();
-  std::vector<glm::dvec3> out(mesh.faceCount());
   parallelBlocks(mesh.faceCount(), kFaceBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const Index first = mesh.triangleBegin(static_cast<Index>(f));
@@ -177,6 +179,13 @@ std::vector<glm::dvec3> faceCentroids(const Mesh& mesh) {
       out[f] = one || !(total > 0) ? plain / static_cast<double>(last - first) : weighted / total;
     }
   });
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> faceCentroids(const Mesh& mesh) {
+  std::vector<glm::dvec3> out(mesh.faceCount());
+  fillCentroids(mesh, out);
   return out;
 }
 
@@ -191,13 +200,15 @@ FloodGraph buildFloodGraph(const Mesh& mesh, const GaussArea& gauss, const Flood
   GraphSource source{mesh,
                      faceGaussArea(mesh, gauss),
                      faceAreas(mesh),
-                     faceCentroids(mesh),
+                     RawVector<glm::dvec3>(),
                      {},
                      {},
                      smallestArea(mesh),
                      Slowness(speeds, gauss.maxCurvature),
                      {}};
   source.tableSlowness();
+  source.centroid.resize(mesh.faceCount());
+  fillCentroids(mesh, source.centroid);
   if (!gauss.sharpEdges.empty()) {
     source.sideGain.assign(3 * mesh.triangleCount(), 0.0f);
     for (std::size_t i = 0; i < gauss.sharpEdges.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/parallel.h"
+#include "core/base/raw_vector.h"
 
 namespace chartflood {
 
@@ -37,11 +38,12 @@ std::vector<std::uint8_t> findSharpSides(const Mesh& mesh, double sharpAngle) {
   std::vector<std::uint8_t> sharp(3 * count, 0);
   if (sharpAngle >= 180) return sharp;
   // Single precision tells nearly all edges, in half the memory.
-  std::vector<glm::vec3> normal(count);
+  RawVector<glm::vec3> normal;
+  normal.resize(count);
   parallelBlocks(count, kEdgeBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const Index triangle = static_cast<Index>(t);
-      if (!mesh.degenerate(triangle)) normal[t] = glm::vec3(unitNormal(mesh, triangle));
+      normal[t] = mesh.degenerate(triangle) ? glm::vec3(0) : glm::vec3(unitNormal(mesh, triangle));
     }
   });
   const double angle = sharpAngle * std::numbers::pi / 180;

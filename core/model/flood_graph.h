@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/index.h"
+#include "core/base/raw_vector.h"
 
 namespace chartflood {
 
@@ -69,7 +70,7 @@ struct FloodGraph {
   std::size_t faceCount = 0;  ///< with the hubs
   double eta = 0;             ///< steradians that one squared normalised unit of surface counts as
 
-  std::vector<FloodFace> faces;
+  RawVector<FloodFace> faces;
   std::vector<FloodExtra> extras;  ///< entry 0 is unused
   /// Numbered behind the triangles; all are seeds of every flood.
   std::vector<FloodHub> hubs;

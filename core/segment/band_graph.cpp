@@ -30,7 +30,7 @@ class BandBuilder {
       : source_(source), mesh_(source.mesh), free_(free), charts_(charts), graph_(graph) {}
 
   void addFaces() {
-    std::vector<FloodFace>& faces = graph_.flood.faces;
+    RawVector<FloodFace>& faces = graph_.flood.faces;
     faces.resize(free_.size());
     contacts_.resize(bandBlocks(free_.size()));
     parallelBlocks(free_.size(), kBandBlock, [&](std::size_t begin, std::size_t end) {
