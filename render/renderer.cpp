@@ -56,8 +56,8 @@ void Renderer::setNormals(const CornerNormals* normals) {
 void Renderer::setVertices(std::shared_ptr<const SurfaceVertices> vertices) {
   unfinished_.reset();
   if (!mesh_) return;
-  surface_->setVertices(std::move(vertices));
-  if (uv_) surface_->setCornerTexture(uv_->layout().corners);
+  surface_->setVertices(std::move(vertices),
+                        uv_ ? std::span(uv_->layout().corners) : std::span<const glm::vec3>{});
 }
 
 void Renderer::setGaussArea(const GaussArea* gaussArea) {

@@ -51,8 +51,18 @@ SurfaceMesh::SurfaceMesh(const Mesh& mesh, std::shared_ptr<const SurfaceVertices
   innerSides_.upload<std::uint8_t>(GL_R8UI, innerSides(mesh));
 }
 
-void SurfaceMesh::setVertices(std::shared_ptr<const SurfaceVertices> vertices) {
+void SurfaceMesh::setVertices(std::shared_ptr<const SurfaceVertices> vertices,
+                              std::span<const glm::vec3> corners) {
   list_ = std::move(vertices);
+  corners.empty() ? uploadWhole() : uploadParted(corners);
+}
+
+void SurfaceMesh::setCornerTexture(std::span<const glm::vec3> corners) {
+  if (!corners.empty()) return uploadParted(corners);
+  if (texturePlaces_) uploadWhole();
+}
+
+void SurfaceMesh::uploadWhole() {
   upload(*list_);
   glBindVertexArray(vertexArray_.id());
   glDisableVertexAttribArray(2);
@@ -74,15 +84,14 @@ void SurfaceMesh::upload(const SurfaceVertices& list) {
   viewAsTexture(indexTexture_, GL_R32UI, indices_);
 }
 
-void SurfaceMesh::setCornerTexture(std::span<const glm::vec3> corners) {
-  if (corners.empty()) {
-    if (texturePlaces_) setVertices(list_);
-    return;
-  }
+void SurfaceMesh::uploadParted(std::span<const glm::vec3> corners) {
   SurfaceVertices parted;
   std::vector<glm::vec3> places;
   std::vector<Index> newest(list_->vertices.size(), kNone), older;  // as in surfaceVertices()
   parted.indices.reserve(list_->indices.size());
+  parted.vertices.reserve(list_->vertices.size() + list_->vertices.size() / 8);
+  places.reserve(parted.vertices.capacity());
+  older.reserve(parted.vertices.capacity());
   for (std::size_t c = 0; c < corners.size(); ++c) {
     const Index whole = list_->indices[c];
     Index entry = newest[whole];

@@ -21,8 +21,9 @@ class SurfaceMesh {
   /// Uploads places and normals of the mesh's vertices.
   SurfaceMesh(const Mesh& mesh, std::shared_ptr<const SurfaceVertices> vertices);
 
-  /// The same mesh with other normals. Texture places are gone.
-  void setVertices(std::shared_ptr<const SurfaceVertices> vertices);
+  /// The same mesh with other normals, and with texture places as of setCornerTexture().
+  void setVertices(std::shared_ptr<const SurfaceVertices> vertices,
+                   std::span<const glm::vec3> corners);
 
   /// Gives each corner (three a triangle) its place in the texture and the scale of its island, as
   /// in UvLayout; empty takes them away. Parts the vertices along the islands' borders anew.
@@ -44,6 +45,8 @@ class SurfaceMesh {
 
  private:
   void upload(const SurfaceVertices& list);
+  void uploadWhole();
+  void uploadParted(std::span<const glm::vec3> corners);
 
   std::size_t triangleCount_ = 0;
   bool culled_ = false, insideOut_ = false;

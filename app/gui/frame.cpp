@@ -158,9 +158,11 @@ void Frame::drawRight(const Ui& ui, const Layout& layout, UvSource* uvSource) {
 
 void Frame::drawScene(const Ui& ui, const Layout& layout, SceneSource* source) {
   const ImVec2 low{layout.left, layout.tool}, high{layout.right, layout.bottom};
+  // One picture covers the whole view; a ground below it would only cost time.
+  const bool covered = source != nullptr && !state_.compare.showing();
   beginFixed("scene", low, {high.x - low.x, high.y - low.y}, theme_.palette.ground, {0, 0},
              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
-                 ImGuiWindowFlags_NoNav);
+                 ImGuiWindowFlags_NoNav | (covered ? ImGuiWindowFlags_NoBackground : 0));
   const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
   state_.panels.viewWidth = static_cast<int>((high.x - low.x) * pixels.x);
   state_.panels.viewHeight = static_cast<int>((high.y - low.y) * pixels.y);

@@ -1,8 +1,10 @@
 #include "app/gui/imgui_gl.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace chartflood {
 
@@ -11,13 +13,18 @@ namespace {
 const void* at(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
 GLuint textureName(ImTextureID id) {
-  return static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(id));
+  return static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(id) & 0xFFFFFFFFU);
+}
+
+PixelRectangle wholeOf(const ImDrawData& data) {
+  return {0, 0, static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x),
+          static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y)};
 }
 
 }  // namespace
 
 ImguiGl::ImguiGl()
-    : program_("ui.vert", "ui.frag"), vertexArray_(gl::VertexArray::create()),
+    : plain_("ui.vert", "ui.frag"), vertexArray_(gl::VertexArray::create()),
       vertices_(gl::Buffer::create()), indices_(gl::Buffer::create()) {
   ImGuiIO& io = ImGui::GetIO();
   io.BackendRendererName = "chartflood";
@@ -49,11 +56,11 @@ void ImguiGl::uploadFonts() {
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-  atlas->SetTexID(textureId(fonts_.id()));
+  atlas->SetTexID(textureId(fonts_.id(), ++fontUploads_));
   atlas->ClearTexData();
 }
 
-void ImguiGl::setState(const ImDrawData& data) {
+void ImguiGl::begin(const ImDrawData& data) {
   glViewport(0, 0, static_cast<GLsizei>(data.DisplaySize.x * data.FramebufferScale.x),
              static_cast<GLsizei>(data.DisplaySize.y * data.FramebufferScale.y));
   glEnable(GL_BLEND);
@@ -64,28 +71,51 @@ void ImguiGl::setState(const ImDrawData& data) {
   glDisable(GL_STENCIL_TEST);
   glEnable(GL_SCISSOR_TEST);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  program_.use();
-  program_.set("uTexture", 0);
-  program_.set("uVision", visionMatrix(vision_));
-  program_.set("uOrigin", glm::vec2(data.DisplayPos.x, data.DisplayPos.y));
-  program_.set("uSize", glm::vec2(data.DisplaySize.x, data.DisplaySize.y));
+  if (simulates()) {
+    if (!simulating_) {
+      const std::string define = "SIMULATE";
+      simulating_.emplace("ui.vert", "ui.frag", std::span(&define, 1));
+    }
+    setProgram(*simulating_, data);
+    simulating_->set("uVision", visionMatrix(vision_));
+  }
+  setProgram(plain_, data);
   glActiveTexture(GL_TEXTURE0);
   glBindSampler(0, 0);
   glBindVertexArray(vertexArray_.id());
 }
 
+void ImguiGl::setProgram(gl::Program& program, const ImDrawData& data) {
+  program.use();
+  program.set("uTexture", 0);
+  program.set("uOrigin", glm::vec2(data.DisplayPos.x, data.DisplayPos.y));
+  program.set("uSize", glm::vec2(data.DisplaySize.x, data.DisplaySize.y));
+}
+
 void ImguiGl::draw(const ImDrawData& data, bool (*leaveOut)(const ImDrawList&)) {
-  if (data.DisplaySize.x <= 0 || data.DisplaySize.y <= 0) return;
-  setState(data);
+  const PixelRectangle whole = wholeOf(data);
+  begin(data);
   for (int i = 0; i < data.CmdListsCount; ++i) {
-    if (leaveOut == nullptr || !leaveOut(*data.CmdLists[i])) drawList(*data.CmdLists[i], data);
+    const ImDrawList& list = *data.CmdLists[i];
+    if (leaveOut == nullptr || !leaveOut(list)) drawList(list, data, std::span(&whole, 1));
   }
+  end();
+}
+
+void ImguiGl::draw(const ImDrawData& data, std::span<const PixelRectangle> parts) {
+  begin(data);
+  for (int i = 0; i < data.CmdListsCount; ++i) drawList(*data.CmdLists[i], data, parts);
+  end();
+}
+
+void ImguiGl::end() {
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);
   glBindVertexArray(0);
 }
 
-void ImguiGl::drawList(const ImDrawList& list, const ImDrawData& data) {
+void ImguiGl::drawList(const ImDrawList& list, const ImDrawData& data,
+                       std::span<const PixelRectangle> parts) {
   using std::span;
   gl::uploadBuffer(
       vertices_, GL_ARRAY_BUFFER,
@@ -99,27 +129,23 @@ void ImguiGl::drawList(const ImDrawList& list, const ImDrawData& data) {
   const ImVec2 origin = data.DisplayPos, scale = data.FramebufferScale;
   const auto pixelsHigh = static_cast<GLint>(data.DisplaySize.y * scale.y);
   for (const ImDrawCmd& command : list.CmdBuffer) {
-    if (command.UserCallback == ImDrawCallback_ResetRenderState) {
-      setState(data);
-      continue;
-    }
-    if (command.UserCallback != nullptr) {
-      command.UserCallback(&list, &command);
-      continue;
-    }
-    const auto left = static_cast<GLint>((command.ClipRect.x - origin.x) * scale.x);
-    const auto top = static_cast<GLint>((command.ClipRect.y - origin.y) * scale.y);
-    const auto right = static_cast<GLint>((command.ClipRect.z - origin.x) * scale.x);
-    const auto bottom = static_cast<GLint>((command.ClipRect.w - origin.y) * scale.y);
-    if (right <= left || bottom <= top) continue;
-    glScissor(left, pixelsHigh - bottom, right - left, bottom - top);
+    const PixelRectangle clip{static_cast<int>((command.ClipRect.x - origin.x) * scale.x),
+                              static_cast<int>((command.ClipRect.y - origin.y) * scale.y),
+                              static_cast<int>((command.ClipRect.z - origin.x) * scale.x),
+                              static_cast<int>((command.ClipRect.w - origin.y) * scale.y)};
     const GLuint texture = textureName(command.GetTexID());
     const bool picture = texture != fonts_.id();
-    program_.set("uSimulate", picture && vision_ != ColorVision::Full ? 1 : 0);
+    (picture && simulates() ? *simulating_ : plain_).use();
     glBindTexture(GL_TEXTURE_2D, texture);
-    glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), kIndexType,
-                             at(command.IdxOffset * sizeof(ImDrawIdx)),
-                             static_cast<GLint>(command.VtxOffset));
+    for (const PixelRectangle& part : parts) {
+      const int left = std::max(part.left, clip.left), right = std::min(part.right, clip.right);
+      const int top = std::max(part.top, clip.top), bottom = std::min(part.bottom, clip.bottom);
+      if (right <= left || bottom <= top) continue;
+      glScissor(left, pixelsHigh - bottom, right - left, bottom - top);
+      glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), kIndexType,
+                               at(command.IdxOffset * sizeof(ImDrawIdx)),
+                               static_cast<GLint>(command.VtxOffset));
+    }
   }
 }
 

@@ -111,7 +111,7 @@ std::vector<PreviewPart> PicturePreview::preview(const AppState& state, const Pi
     windowWidth_ = width;
     windowHeight_ = height;
     if (window_.width() == 0) return {};
-    return {{textureId(window_.texture()), 0, 1, 0, 1}};
+    return {{textureId(window_), 0, 1, 0, 1}};
   }
   PictureRequest request;
   request.settings = state.preferences.picture;
@@ -139,7 +139,7 @@ std::vector<PreviewPart> PicturePreview::preview(const AppState& state, const Pi
     const auto share = [](int columns, int of) {
       return static_cast<float>(columns) / static_cast<float>(of);
     };
-    parts.push_back({textureId(slot.front.texture()), share(piece.left + piece.from, width),
+    parts.push_back({textureId(slot.front), share(piece.left + piece.from, width),
                      share(piece.left + piece.to, width), share(piece.from, piece.width),
                      share(piece.to, piece.width)});
   }

@@ -119,7 +119,7 @@ ImTextureID SceneView::picture(const AppState& state, int width, int height, flo
     // Quick drivers finish it at once; slow ones go on after the window was looked after.
     if (lastSeconds_ < kSecondsAtOnce) goOn();
   }
-  return textureId(shown_ ? front_.texture() : back_.texture());
+  return textureId(shown_ ? front_ : back_);
 }
 
 std::vector<glm::vec3> SceneView::chartColors(const AppState& state) const {

@@ -85,7 +85,7 @@ UvPicture UvView::picture(const AppState& state, int width, int height, float pi
     if (lastSeconds_ < kSecondsAtOnce) goOn();
   }
   if (!shown_) return {nullptr, wanted.camera, width_, height_};
-  return {textureId(front_.texture()), shown_->camera, shown_->width, shown_->height};
+  return {textureId(front_), shown_->camera, shown_->width, shown_->height};
 }
 
 Pick UvView::pick(const AppState& state, int x, int y) {

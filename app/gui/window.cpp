@@ -6,6 +6,8 @@
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include <epoxy/gl.h>
 #define GLFW_INCLUDE_NONE
@@ -14,6 +16,7 @@
 #include <imgui.h>
 
 #include "app/gui/compare_scene.h"
+#include "app/gui/frame_damage.h"
 #include "app/gui/glfw_window.h"
 #include "app/gui/imgui_gl.h"
 #include "app/gui/key_names.h"
@@ -28,6 +31,8 @@ namespace chartflood {
 namespace {
 
 constexpr double kFrameSeconds = 1.0 / 60;
+/// Passes that nothing was drawn in do not wait for the display; they are this far apart.
+constexpr double kUndrawnSeconds = 1.0 / 120;
 constexpr double kPassWithPicture = 0.024;  // longer passes leave the 3D view for the next
 constexpr int kSettlingFrames = 3;          // Dear ImGui needs some frames to answer an event
 
@@ -100,6 +105,7 @@ class Window::Parts {
       if (due()) {
         pass(start - last);
         last = start;
+        rested_ = drawn_ ? 0 : start + kUndrawnSeconds;
         passSeconds_ = now() - start;
       } else if (!drawing()) {
         continue;
@@ -135,6 +141,11 @@ class Window::Parts {
   }
 
   void touched() { framesLeft_ = kSettlingFrames; }
+  /// What the window shows may be lost.
+  void damaged() {
+    damage_.forget();
+    touched();
+  }
 
   void onKey(int key, int scancode, int action, int modifiers) {
     touched();
@@ -156,8 +167,11 @@ class Window::Parts {
 
   void wait() {
     const double wake = std::min(frame_.wakeIn(), deadline_ - now());
-    if (framesLeft_ > 0 || drawing()) {
+    const double rest = rested_ - now();
+    if (drawing() || (framesLeft_ > 0 && rest <= 0)) {
       glfwPollEvents();
+    } else if (rest > 0) {
+      glfwWaitEventsTimeout(rest);
     } else if (frame_.wakeIn() <= 0) {
       glfwWaitEventsTimeout(std::max(0.0005, kFrameSeconds - passSeconds_));
     } else if (frame_.wakeIn() < 1e8) {
@@ -171,7 +185,7 @@ class Window::Parts {
   bool due() {
     const bool woken = wokenByWorker.exchange(false, std::memory_order_relaxed);
     if (woken) framesLeft_ = std::max(framesLeft_, 1);
-    return framesLeft_ > 0 || now() >= deadline_ - 0.001;
+    return now() >= rested_ && (framesLeft_ > 0 || now() >= deadline_ - 0.001);
   }
 
   float wantedScale() const {
@@ -207,11 +221,27 @@ class Window::Parts {
   }
 
   void present() {
+    drawn_ = false;
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_.get(), &width, &height);
     if (width <= 0 || height <= 0) return;
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    drawer_.draw(*ImGui::GetDrawData());
+    const ImDrawData& data = *ImGui::GetDrawData();
+    if (width != canvas_.width() || height != canvas_.height()) {
+      canvas_ = gl::Framebuffer(width, height, 1);
+      canvas_.bindForDrawing();
+      glClearColor(0, 0, 0, 1);
+      glClear(GL_COLOR_BUFFER_BIT);
+      damage_.forget();
+    }
+    if (std::exchange(shownVision_, state_.view.vision) != state_.view.vision) damage_.forget();
+    const std::vector<PixelRectangle> parts = damage_.changed(data);
+    drawn_ = !parts.empty();
+    if (!drawn_) return;
+    canvas_.bindForDrawing();
+    drawer_.draw(data, parts);
+    canvas_.resolve();
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glfwSwapBuffers(window_.get());
   }
 
@@ -276,10 +306,15 @@ class Window::Parts {
   std::ofstream frameLog_;
   WindowedPlace windowed_;
   std::string title_;
+  gl::Framebuffer canvas_;  ///< the window as it was drawn last; frames change parts of it
+  FrameDamage damage_;
+  ColorVision shownVision_ = ColorVision::Full;
   int framesLeft_ = kSettlingFrames;
   double deadline_ = 0;
   PassTimes times_;
   double passSeconds_ = 0;
+  bool drawn_ = false;          ///< the last pass changed the window
+  double rested_ = 0;           ///< when the next pass may begin
   bool pictureWaited_ = false;  ///< the 3D view was left for the next turn
 };
 
@@ -297,8 +332,8 @@ Window::Parts::Callbacks::Callbacks(Parts& parts) {
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { of(w).touched(); });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { of(w).touched(); });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { of(w).touched(); });
-  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).touched(); });
-  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).touched(); });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { of(w).damaged(); });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).damaged(); });
   glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { of(w).touched(); });
 }
 

@@ -1,6 +1,7 @@
 #include "render/gl/framebuffer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 
 #include "core/base/error.h"
@@ -64,6 +65,8 @@ Framebuffer::Framebuffer(int width, int height, int samples)
 }
 
 void Framebuffer::bindForDrawing() const {
+  static std::atomic<std::uint32_t> drawings{0};  // contexts of several threads may draw
+  drawing_ = ++drawings;
   merged_ = false;
   glBindFramebuffer(GL_FRAMEBUFFER, draw_.id());
   glViewport(0, 0, width_, height_);

@@ -1,6 +1,8 @@
 #pragma once
 /// Where everything is drawn: colour and depth of one size, smoothed by several samples if wished.
 
+#include <cstdint>
+
 #include "render/gl/objects.h"
 
 namespace chartflood::gl {
@@ -24,12 +26,15 @@ class Framebuffer {
   void resolve() const;
   /// The finished picture, after resolve(): GL_RGBA8, bottom row first, linear filtering.
   GLuint texture() const { return resolvedColor_.id(); }
+  /// Number of the last bindForDrawing(); no other framebuffer of the process has the same.
+  std::uint32_t drawing() const { return drawing_; }
   /// Name of the object that is drawn into.
   GLuint drawId() const { return draw_.id(); }
 
  private:
   int width_ = 0, height_ = 0, samples_ = 1;
   mutable bool merged_ = false;  ///< nothing was drawn since the samples were merged
+  mutable std::uint32_t drawing_ = 0;
   FramebufferObject draw_, resolved_;
   Renderbuffer color_, depth_;
   Texture resolvedColor_;
