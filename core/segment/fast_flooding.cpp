@@ -26,7 +26,7 @@ constexpr std::size_t kAllFaces = std::numeric_limits<std::size_t>::max();
 // S is sqrt(n) std / mean.
 constexpr double kUnevenCoarse = 0.1;   // S that other seeds may better: a band cannot absorb it
 constexpr double kEvenBand = 0.02;      // S that is good enough
-constexpr std::size_t kBandRounds = 8;  // at most
+constexpr std::size_t kBandRounds = 5;  // at most
 constexpr std::size_t kBandPatience = 3;
 constexpr std::size_t kWideCluster = 64;  // faces: one such on each side of a seam is enough
 constexpr std::uint32_t kSeedStep = 0x9e3779b9u;  // to the generator seed of the other start

@@ -7,23 +7,23 @@
 
 namespace chartflood {
 
-/// Moves each chart's offset by its surplus of Gauss area times a step of its own, which grows
-/// while the surplus keeps its sign and shrinks when that turns (the rule of resilient propagation:
-/// Riedmiller and Braun, 1993).
+/// Moves the offsets by a share of the surplus of Gauss area, after the part of it is taken away
+/// that earlier rounds tell how to remove: what their changes of the offsets did to the surplus is
+/// taken to be linear (the mixing of Anderson, 1965).
 class OffsetSteps {
  public:
   /// Rounds begin anew.
-  void reset() { steps_.clear(); }
+  void reset() { rounds_.clear(); }
   /// Offsets of the next round, the smallest 0. \param chartGauss A(c) of the charts that `offsets`
   /// led to, steradians
   void update(std::vector<double>& offsets, std::span<const double> chartGauss);
 
  private:
-  struct Step {
-    double share;
-    double surplus = 0;  ///< of the round before
+  /// Both add up to 0: floods do not depend on what all offsets have in common.
+  struct Round {
+    std::vector<double> offsets, surplus;
   };
-  std::vector<Step> steps_;
+  std::vector<Round> rounds_;  ///< the newest last
 };
 
 }  // namespace chartflood
