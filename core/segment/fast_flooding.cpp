@@ -1,13 +1,18 @@
 #include "core/segment/fast_flooding.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <functional>
+#include <future>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/parallel.h"
 #include "core/base/rng.h"
 #include "core/segment/balance.h"
 #include "core/segment/coarse_graph.h"
@@ -55,6 +60,31 @@ struct CoarseRound {
   std::vector<double> offsets;
 };
 
+/// A run of clusters from other seeds, on a thread of its own: that rounds from the given ones
+/// leave charts too uneven is the rule, and they leave the other processors alone.
+class OtherStart {
+ public:
+  explicit OtherStart(std::function<CoarseRound(Progress&)> run)
+      : found_(std::async(std::launch::async,
+                          [this, run = std::move(run)] { return run(progress_); })) {}
+  ~OtherStart() { progress_.cancel(); }
+  OtherStart(const OtherStart&) = delete;
+  OtherStart& operator=(const OtherStart&) = delete;
+
+  /// Its best round, once; nothing when `waiting` is cancelled before it is known.
+  std::optional<CoarseRound> take(const Progress& waiting) {
+    constexpr std::chrono::milliseconds kLook{5};
+    while (found_.wait_for(kLook) != std::future_status::ready) {
+      if (waiting.cancelled()) return std::nullopt;
+    }
+    return found_.get();
+  }
+
+ private:
+  Progress progress_;
+  std::future<CoarseRound> found_;  ///< goes first: waits for the thread
+};
+
 /// The seams of a coarse round and the band around them.
 struct BandBase {
   std::vector<Index> seeds;  ///< nodes of the coarse round
@@ -84,6 +114,10 @@ class FastFlooding final : public FloodRounds {
       setBase(makeBase(plan_.seeds(), plan_.offsets()));
     } else {
       fast_.band.clear();
+      if (threadCount() > 1 && mayTryOthers()) {
+        otherStart_ = std::make_unique<OtherStart>(
+            [this, charts](Progress& progress) { return runCoarse(charts, progress); });
+      }
     }
     restartFlood();
   }
@@ -161,8 +195,8 @@ class FastFlooding final : public FloodRounds {
     if (next_ == Next::OtherStart) stop = StopReason::NoImprovement;  // the best of all, once more
     if (stop == StopReason::NotStopped) return judgement;
     const double s = best_.badness * std::sqrt(static_cast<double>(plan_.seeds().size()));
-    const bool tryOthers = next_ == Next::Coarse && balance_.defined && s > kUnevenCoarse &&
-                           options().seeds.empty() && options().maxIterations > 1;
+    const bool tryOthers =
+        next_ == Next::Coarse && balance_.defined && s > kUnevenCoarse && mayTryOthers();
     next_ = tryOthers ? Next::OtherStart : Next::Band;
     if (!hasSeams()) judgement.stop = stop;
     return judgement;
@@ -197,11 +231,11 @@ class FastFlooding final : public FloodRounds {
     if (next_ == Next::Coarse) return plan_.takeNext();
     if (next_ == Next::OtherStart) {
       progress.beginPhase("Trying other seeds");
-      const CoarseRound other = runCoarse(options().rngSeed + kSeedStep, progress);
-      if (progress.cancelled()) return std::nullopt;
-      if (other.badness < best_.badness) {
-        plan_.standAt(other.seeds, other.offsets);
-        return other.seeds.size();
+      const std::optional<CoarseRound> other = runOtherStart(progress);
+      if (!other) return std::nullopt;
+      if (other->badness < best_.badness) {
+        plan_.standAt(other->seeds, other->offsets);
+        return other->seeds.size();
       }
     }
     next_ = Next::Band;
@@ -278,17 +312,32 @@ class FastFlooding final : public FloodRounds {
   }
   bool hasSeams() const { return plan_.seeds().size() > mesh().componentCount(); }
 
-  /// The best round of a run from other seeds.
-  CoarseRound runCoarse(std::uint32_t rngSeed, const Progress& progress) const {
-    Rng rng(rngSeed);
-    const std::size_t charts = plan_.seeds().size();
+  bool mayTryOthers() const { return options().seeds.empty() && options().maxIterations > 1; }
+
+  /// The best round from other seeds; nothing when cancelled before.
+  std::optional<CoarseRound> runOtherStart(Progress& progress) {
+    std::optional<CoarseRound> other;
+    if (otherStart_) {
+      other = otherStart_->take(progress);
+      if (other) otherStart_.reset();
+      return other;
+    }
+    other = runCoarse(plan_.seeds().size(), progress);
+    if (progress.cancelled()) other.reset();
+    return other;
+  }
+
+  /// The best round of a run from other seeds. Touches nothing that changes after construction.
+  CoarseRound runCoarse(std::size_t charts, Progress& progress) const {
+    Rng rng(options().rngSeed + kSeedStep);
     RoundPlan plan =
         planFrom(placeCoarseSeeds(coarse_, mesh().componentCount(), charts, {}, rng), {});
     NodeFlood flood(mesh(), coarse_.nodes, charts);
     CoarseRound best;
     while (!progress.cancelled()) {
       flood.start(plan.seeds(), plan.offsets(), options().lookahead, nullptr);
-      flood.take(kAllFaces, nullptr);
+      flood.take(kAllFaces, &progress);
+      if (!flood.finished()) break;
       const std::vector<double> gauss = coarse_.nodes.chartGauss(flood.nodeLabels(), charts);
       const double badness = badnessOf(balanceOf(gauss));
       plan.plan(flood.flood(), gauss, locked_);
@@ -340,6 +389,7 @@ class FastFlooding final : public FloodRounds {
   std::vector<Index> bestFaces_;                  ///< the same of each face, while at rest
   std::vector<double> chartGauss_;                ///< of the finished flood
   Balance balance_;
+  std::unique_ptr<OtherStart> otherStart_;  ///< goes first: reads the others; null: not begun
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "core/base/parallel.h"
 #include "core/charts/chart_stats.h"
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
@@ -247,6 +248,37 @@ TEST_P(FastOn, WithoutALogTheLabelsAreTheSame) {
   EXPECT_EQ(plain->state()->label, logged->state()->label);
   EXPECT_EQ(plain->history().size(), logged->history().size());
   EXPECT_EQ(plain->record(), nullptr);
+}
+
+// Other seeds are tried on a thread of their own where there is one.
+TEST_P(FastOn, RoundsAreTheSameOnAnyNumberOfThreads) {
+  setThreadCount(1);
+  const auto alone = toTheEnd(in_, fastOptions(8));
+  setThreadCount(3);
+  const auto together = toTheEnd(in_, fastOptions(8));
+  setThreadCount(0);
+  EXPECT_EQ(together->state()->label, alone->state()->label);
+  ASSERT_EQ(together->history().size(), alone->history().size());
+  for (std::size_t i = 0; i < alone->history().size(); ++i) {
+    EXPECT_EQ(together->history()[i].seeds, alone->history()[i].seeds);
+    EXPECT_EQ(together->history()[i].stdOverMean, alone->history()[i].stdOverMean);
+  }
+}
+
+TEST_P(FastOn, MayBeDroppedOrCancelledAtAnyRound) {
+  setThreadCount(2);
+  const auto whole = toTheEnd(in_, fastOptions(8));
+  for (std::size_t rounds = 0; rounds < whole->history().size(); rounds += 3) {
+    const auto stepper = makeTFlooding(in_, fastOptions(8));
+    Progress progress, stopped;
+    if (rounds > 0) stepper->advance(StepUnit::Flood, rounds, progress);
+    stopped.cancel();
+    EXPECT_EQ(stepper->advance(StepUnit::Converged, 1, stopped), StepOutcome::Cancelled);
+    if (rounds % 2 == 0) continue;  // dropped
+    EXPECT_EQ(stepper->advance(StepUnit::Converged, 1, progress), StepOutcome::Finished);
+    EXPECT_EQ(stepper->state()->label, whole->state()->label);
+  }
+  setThreadCount(0);
 }
 
 TEST_P(FastOn, MakesTheLogOfAnyRoundAgain) {
