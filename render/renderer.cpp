@@ -32,6 +32,7 @@ void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* no
   unfinished_.reset();
   tree_.reset();
   mesh_ = std::move(mesh);
+  vertices_.reset();
   surface_.reset();
   charts_.reset();
   flood_.reset();
@@ -44,7 +45,8 @@ void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* no
   seedMarks_.clear();
   if (!mesh_) return;
   bounds_ = boundingSphere(mesh_->positions());
-  surface_.emplace(*mesh_, surfaceVertices(*mesh_, normals));
+  vertices_ = surfaceVertices(*mesh_, normals);
+  surface_.emplace(*mesh_, *vertices_);
   charts_.emplace(mesh_);
   flood_.emplace(mesh_);
 }
@@ -53,11 +55,17 @@ void Renderer::setNormals(const CornerNormals* normals) {
   if (mesh_) setVertices(surfaceVertices(*mesh_, normals));
 }
 
-void Renderer::setVertices(std::shared_ptr<const SurfaceVertices> vertices) {
+void Renderer::setVertices(std::shared_ptr<const SurfaceVertices> vertices,
+                           const SurfaceVertices* parted) {
   unfinished_.reset();
   if (!mesh_) return;
-  surface_->setVertices(std::move(vertices),
-                        uv_ ? std::span(uv_->layout().corners) : std::span<const glm::vec3>{});
+  vertices_ = std::move(vertices);
+  if (uv_) return showParted(uv_->layout(), parted);
+  surface_->setVertices(*vertices_);
+}
+
+void Renderer::showParted(const UvLayout& layout, const SurfaceVertices* parted) {
+  surface_->setVertices(parted != nullptr ? *parted : *partedVertices(*vertices_, layout.corners));
 }
 
 void Renderer::setGaussArea(const GaussArea* gaussArea) {
@@ -127,14 +135,14 @@ void Renderer::setCornerUv(std::span<const glm::vec2> uv) {
   if (uv.empty())
     forgetUv();
   else
-    setUvLayout(uvLayout(*mesh_, uv));
+    setUvLayout(std::make_shared<const UvLayout>(uvLayout(*mesh_, uv)));
 }
 
-void Renderer::setUvLayout(UvLayout layout) {
+void Renderer::setUvLayout(std::shared_ptr<const UvLayout> layout, const SurfaceVertices* parted) {
   if (!mesh_) return;
-  if (layout.empty()) return forgetUv();
+  if (layout->empty()) return forgetUv();
   unfinished_.reset();
-  surface_->setCornerTexture(layout.corners);
+  showParted(*layout, parted);
   uv_.emplace(mesh_, std::move(layout));
   if (cuts_) uv_->setCuts(cuts_->edges());
   if (marks_) marks_->setTexture(*mesh_, &uv_->layout());
@@ -143,7 +151,7 @@ void Renderer::setUvLayout(UvLayout layout) {
 void Renderer::forgetUv() {
   if (!uv_) return;
   unfinished_.reset();
-  surface_->setCornerTexture({});
+  surface_->setVertices(*vertices_);
   uv_.reset();
   if (marks_) marks_->setTexture(*mesh_, nullptr);
 }

@@ -69,8 +69,10 @@ class Renderer {
   void setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* normals);
   /// Normals after a change of the crease angle.
   void setNormals(const CornerNormals* normals);
-  /// The same with the vertices of this mesh made before, on any thread.
-  void setVertices(std::shared_ptr<const SurfaceVertices> vertices);
+  /// The same with the vertices of this mesh made before, on any thread; `parted` with the texture
+  /// places of the layout that is shown, if there is one. Null: it is made here.
+  void setVertices(std::shared_ptr<const SurfaceVertices> vertices,
+                   const SurfaceVertices* parted = nullptr);
   void setGaussArea(const GaussArea* gaussArea);
   /// The same with the values worked out before, on any thread.
   void setGaussValues(const GaussValues& values);
@@ -94,8 +96,8 @@ class Renderer {
   void setTriangleValues(ColorMode mode, std::span<const float> values);
   /// Texture place of each corner, three a triangle, NaN for none; empty to forget them.
   void setCornerUv(std::span<const glm::vec2> uv);
-  /// The same, worked out before on any thread.
-  void setUvLayout(UvLayout layout);
+  /// The same, worked out before on any thread, and the vertices that are shown parted by it.
+  void setUvLayout(std::shared_ptr<const UvLayout> layout, const SurfaceVertices* parted = nullptr);
   /// Sides of the mesh along which charts are opened, in order along each path; empty: none.
   void setCuts(std::span<const Index> sides);
   /// More lines on the model, the first ones lowest; empty: none.
@@ -163,7 +165,9 @@ class Renderer {
 
   bool hasUv() const { return uv_.has_value(); }
   /// What pictures of the texture are drawn from; null without a texture.
-  const UvLayout* textureLayout() const { return uv_ ? &uv_->layout() : nullptr; }
+  std::shared_ptr<const UvLayout> textureLayout() const {
+    return uv_ ? uv_->sharedLayout() : nullptr;
+  }
   const Mesh* mesh() const { return mesh_.get(); }
   const BoundingSphere& bounds() const { return bounds_; }
   /// Colour of a chart as drawn, sRGB in [0, 1]; grey for a chart not known yet.
@@ -206,6 +210,7 @@ class Renderer {
   Index shownChart(Index triangle, const RenderSettings& settings) const;
   unsigned hoveredChart(const RenderSettings& settings) const;
   void forgetUv();
+  void showParted(const UvLayout& layout, const SurfaceVertices* parted);
 
   void drawBackground(const Frame& frame);
   /// Draws up to so many triangles from `first` on; returns the first one that is left.
@@ -248,6 +253,7 @@ class Renderer {
 
   std::shared_ptr<const Mesh> mesh_;
   BoundingSphere bounds_;
+  std::shared_ptr<const SurfaceVertices> vertices_;  ///< without texture places
   std::optional<SurfaceMesh> surface_;
   std::optional<ChartLayer> charts_;
   std::optional<FloodLayer> flood_;

@@ -41,76 +41,37 @@ void viewAsTexture(gl::Texture& texture, GLenum format, const gl::Buffer& buffer
 
 }  // namespace
 
-SurfaceMesh::SurfaceMesh(const Mesh& mesh, std::shared_ptr<const SurfaceVertices> vertices)
-    : triangleCount_(mesh.triangleCount()), list_(std::move(vertices)),
-      vertexArray_(gl::VertexArray::create()) {
+SurfaceMesh::SurfaceMesh(const Mesh& mesh, const SurfaceVertices& vertices)
+    : triangleCount_(mesh.triangleCount()), vertexArray_(gl::VertexArray::create()) {
   // Pieces may face different ways, so only a single one tells which side is outside.
   culled_ = mesh.closed() && mesh.componentCount() == 1;
   insideOut_ = culled_ && signedVolume(mesh) < 0;
-  upload(*list_);
+  setVertices(vertices);
   innerSides_.upload<std::uint8_t>(GL_R8UI, innerSides(mesh));
 }
 
-void SurfaceMesh::setVertices(std::shared_ptr<const SurfaceVertices> vertices,
-                              std::span<const glm::vec3> corners) {
-  list_ = std::move(vertices);
-  corners.empty() ? uploadWhole() : uploadParted(corners);
-}
-
-void SurfaceMesh::setCornerTexture(std::span<const glm::vec3> corners) {
-  if (!corners.empty()) return uploadParted(corners);
-  if (texturePlaces_) uploadWhole();
-}
-
-void SurfaceMesh::uploadWhole() {
-  upload(*list_);
+void SurfaceMesh::setVertices(const SurfaceVertices& vertices) {
+  using Vertex = SurfaceVertices::Vertex;
+  hasNormals_ = vertices.hasNormals;
   glBindVertexArray(vertexArray_.id());
-  glDisableVertexAttribArray(2);
-  glBindVertexArray(0);
-  texturePlaces_.reset();
-}
-
-void SurfaceMesh::upload(const SurfaceVertices& list) {
-  glBindVertexArray(vertexArray_.id());
-  gl::uploadBuffer<SurfaceVertices::Vertex>(vertices_, GL_ARRAY_BUFFER, list.vertices);
-  gl::uploadBuffer<Index>(indices_, GL_ELEMENT_ARRAY_BUFFER, list.indices);
+  gl::uploadBuffer<Vertex>(vertices_, GL_ARRAY_BUFFER, vertices.vertices);
+  gl::uploadBuffer<Index>(indices_, GL_ELEMENT_ARRAY_BUFFER, vertices.indices);
   glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(SurfaceVertices::Vertex), nullptr);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
   glEnableVertexAttribArray(1);
-  glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(SurfaceVertices::Vertex),
-                        reinterpret_cast<const void*>(offsetof(SurfaceVertices::Vertex, normal)));
+  glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, sizeof(Vertex),
+                        reinterpret_cast<const void*>(offsetof(Vertex, normal)));
+  if (vertices.texture.empty()) {
+    glDisableVertexAttribArray(2);
+    texturePlaces_.reset();
+  } else {
+    gl::uploadBuffer<glm::vec3>(texturePlaces_, GL_ARRAY_BUFFER, vertices.texture);
+    glEnableVertexAttribArray(2);
+    glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+  }
   glBindVertexArray(0);
   viewAsTexture(vertexTexture_, GL_RGBA32F, vertices_);
   viewAsTexture(indexTexture_, GL_R32UI, indices_);
-}
-
-void SurfaceMesh::uploadParted(std::span<const glm::vec3> corners) {
-  SurfaceVertices parted;
-  std::vector<glm::vec3> places;
-  std::vector<Index> newest(list_->vertices.size(), kNone), older;  // as in surfaceVertices()
-  parted.indices.reserve(list_->indices.size());
-  parted.vertices.reserve(list_->vertices.size() + list_->vertices.size() / 8);
-  places.reserve(parted.vertices.capacity());
-  older.reserve(parted.vertices.capacity());
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    const Index whole = list_->indices[c];
-    Index entry = newest[whole];
-    while (entry != kNone && places[entry] != corners[c]) entry = older[entry];
-    if (entry == kNone) {
-      entry = static_cast<Index>(places.size());
-      parted.vertices.push_back(list_->vertices[whole]);
-      places.push_back(corners[c]);
-      older.push_back(newest[whole]);
-      newest[whole] = entry;
-    }
-    parted.indices.push_back(entry);
-  }
-  upload(parted);
-  glBindVertexArray(vertexArray_.id());
-  gl::uploadBuffer<glm::vec3>(texturePlaces_, GL_ARRAY_BUFFER, places);
-  glEnableVertexAttribArray(2);
-  glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
-  glBindVertexArray(0);
 }
 
 void SurfaceMesh::draw(bool outsideAlone, std::size_t first, std::size_t count) const {

@@ -3,10 +3,6 @@
 /// nothing here.
 
 #include <cstddef>
-#include <memory>
-#include <span>
-
-#include <glm/vec3.hpp>
 
 #include "core/model/mesh.h"
 #include "render/gl/objects.h"
@@ -15,22 +11,16 @@
 namespace chartflood {
 
 /// Indexed triangles in the mesh's own order, so that gl_PrimitiveID is the triangle's number.
-/// Corners of one vertex share an entry where their normals and texture places agree.
 class SurfaceMesh {
  public:
   /// Uploads places and normals of the mesh's vertices.
-  SurfaceMesh(const Mesh& mesh, std::shared_ptr<const SurfaceVertices> vertices);
+  SurfaceMesh(const Mesh& mesh, const SurfaceVertices& vertices);
 
-  /// The same mesh with other normals, and with texture places as of setCornerTexture().
-  void setVertices(std::shared_ptr<const SurfaceVertices> vertices,
-                   std::span<const glm::vec3> corners);
-
-  /// Gives each corner (three a triangle) its place in the texture and the scale of its island, as
-  /// in UvLayout; empty takes them away. Parts the vertices along the islands' borders anew.
-  void setCornerTexture(std::span<const glm::vec3> corners);
+  /// The same mesh with other normals, with other texture places or without.
+  void setVertices(const SurfaceVertices& vertices);
 
   std::size_t triangleCount() const { return triangleCount_; }
-  bool hasNormals() const { return list_->hasNormals; }
+  bool hasNormals() const { return hasNormals_; }
   /// The triangles of a closed surface in one piece face inwards.
   bool insideOut() const { return insideOut_; }
   /// Insides of a closed surface in one piece need not be drawn.
@@ -44,13 +34,8 @@ class SurfaceMesh {
   void bindArrays(GLuint vertexUnit, GLuint indexUnit, GLuint innerSideUnit) const;
 
  private:
-  void upload(const SurfaceVertices& list);
-  void uploadWhole();
-  void uploadParted(std::span<const glm::vec3> corners);
-
   std::size_t triangleCount_ = 0;
-  bool culled_ = false, insideOut_ = false;
-  std::shared_ptr<const SurfaceVertices> list_;  ///< without texture places
+  bool culled_ = false, insideOut_ = false, hasNormals_ = false;
   gl::VertexArray vertexArray_;
   gl::Buffer vertices_, indices_, texturePlaces_;
   gl::Texture vertexTexture_, indexTexture_;

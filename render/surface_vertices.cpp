@@ -50,4 +50,29 @@ std::shared_ptr<const SurfaceVertices> surfaceVertices(const Mesh& mesh,
   return list;
 }
 
+std::shared_ptr<const SurfaceVertices> partedVertices(const SurfaceVertices& whole,
+                                                      std::span<const glm::vec3> corners) {
+  auto parted = std::make_shared<SurfaceVertices>();
+  parted->hasNormals = whole.hasNormals;
+  parted->indices.reserve(whole.indices.size());
+  parted->vertices.reserve(whole.vertices.size() + whole.vertices.size() / 8);
+  parted->texture.reserve(parted->vertices.capacity());
+  std::vector<Index> newest(whole.vertices.size(), kNone), older;  // as in surfaceVertices()
+  older.reserve(parted->vertices.capacity());
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const Index vertex = whole.indices[c];
+    Index entry = newest[vertex];
+    while (entry != kNone && parted->texture[entry] != corners[c]) entry = older[entry];
+    if (entry == kNone) {
+      entry = static_cast<Index>(parted->vertices.size());
+      parted->vertices.push_back(whole.vertices[vertex]);
+      parted->texture.push_back(corners[c]);
+      older.push_back(newest[vertex]);
+      newest[vertex] = entry;
+    }
+    parted->indices.push_back(entry);
+  }
+  return parted;
+}
+
 }  // namespace chartflood

@@ -5,13 +5,13 @@
 
 namespace chartflood {
 
-UvLayer::UvLayer(std::shared_ptr<const Mesh> mesh, UvLayout layout)
+UvLayer::UvLayer(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const UvLayout> layout)
     : mesh_(std::move(mesh)), layout_(std::move(layout)) {
   setCuts({});
 }
 
 void UvLayer::setCuts(std::span<const CutEdge> cuts) {
-  UvLines lines = uvLines(*mesh_, layout_, cuts);
+  UvLines lines = uvLines(*mesh_, *layout_, cuts);
   outlines_.upload<glm::vec4>(GL_RGBA32F, lines.outline);
   cuts_.upload<glm::vec4>(GL_RGBA32F, lines.cuts);
   outlineCount_ = lines.outline.size() / 2;
@@ -21,8 +21,8 @@ void UvLayer::setCuts(std::span<const CutEdge> cuts) {
 
 glm::dvec3 UvLayer::surfacePoint(Index triangle, const glm::dvec2& uv) const {
   const std::size_t first = std::size_t{3} * triangle;
-  const glm::dvec2 a(layout_.corners[first]), b(layout_.corners[first + 1]),
-      c(layout_.corners[first + 2]);
+  const std::vector<glm::vec3>& corners = layout_->corners;
+  const glm::dvec2 a(corners[first]), b(corners[first + 1]), c(corners[first + 2]);
   const auto cross = [](const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; };
   const double whole = cross(b - a, c - a);
   const double atB = std::abs(whole) > 0 ? cross(uv - a, c - a) / whole : 0;

@@ -16,12 +16,13 @@ namespace chartflood {
 
 class UvLayer {
  public:
-  UvLayer(std::shared_ptr<const Mesh> mesh, UvLayout layout);
+  UvLayer(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const UvLayout> layout);
 
   /// Draws these borders as cuts from now on.
   void setCuts(std::span<const CutEdge> cuts);
 
-  const UvLayout& layout() const { return layout_; }
+  const UvLayout& layout() const { return *layout_; }
+  std::shared_ptr<const UvLayout> sharedLayout() const { return layout_; }
   std::size_t outlineCount() const { return outlineCount_; }
   /// Triangle that each segment of the cuts borders.
   const std::vector<Index>& cutTriangle() const { return cutTriangle_; }
@@ -35,7 +36,7 @@ class UvLayer {
 
  private:
   std::shared_ptr<const Mesh> mesh_;
-  UvLayout layout_;
+  std::shared_ptr<const UvLayout> layout_;
   std::vector<SegmentRange> outlineOf_;
   std::size_t outlineCount_ = 0;
   std::vector<Index> cutTriangle_;

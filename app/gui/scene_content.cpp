@@ -51,9 +51,27 @@ void SceneView::takeDerived(const AppState& state, const Results& results) {
   }
   const auto derived = insight.surface(results);
   if (!derived || derived == derived_) return;
-  derived_ = derived;
-  renderer_.setVertices(derived->vertices);
-  renderer_.setGaussValues(derived->gaussValues);
+  const auto layout = renderer_.textureLayout();
+  if (!layout) return showDerived(derived, nullptr);
+  // With a texture the vertices are parted beside the window; what is ready is shown, even when a
+  // newer one is wanted by now.
+  if (isReady(parting_)) {
+    const Parting done = parting_.get();
+    if (done.layout == layout) showDerived(done.derived, done.vertices.get());
+  }
+  if (derived == derived_ || parting_.valid()) return;
+  parting_ = std::async(std::launch::async, [derived, layout, wake = wake_] {
+    Parting done{derived, layout, partedVertices(*derived->vertices, layout->corners)};
+    wake();
+    return done;
+  });
+}
+
+void SceneView::showDerived(std::shared_ptr<const SurfaceDerived> derived,
+                            const SurfaceVertices* parted) {
+  derived_ = std::move(derived);
+  renderer_.setVertices(derived_->vertices, parted);
+  renderer_.setGaussValues(derived_->gaussValues);
   const int samples[] = {1, kSmoothSamples};
   if (warmedFor_ != mesh_) renderer_.warmUp(RenderSettings{}, samples);
   warmedFor_ = mesh_;
@@ -167,7 +185,8 @@ void SceneView::takeUnwrap(const Results& results) {
     Flat flat = flat_.get();
     if (flat.mesh == mesh_ && atlas_) {
       renderer_.setCuts(flat.cuts);
-      renderer_.setUvLayout(std::move(flat.layout));
+      const bool fits = derived_ && flat.vertices == derived_->vertices;
+      renderer_.setUvLayout(std::move(flat.layout), fits ? flat.parted.get() : nullptr);
       ++content_;
     }
   }
@@ -181,12 +200,20 @@ void SceneView::takeUnwrap(const Results& results) {
     ++content_;
     return;
   }
-  flat_ = std::async(
-      std::launch::async, [mesh = mesh_, charts = chartSet_, atlas = atlas_, wake = wake_] {
-        Flat flat{mesh, uvLayout(*mesh, cornerUv(*mesh, *charts, *atlas)), cutSides(*charts)};
-        wake();
-        return flat;
-      });
+  flat_ = std::async(std::launch::async, [mesh = mesh_, charts = chartSet_, atlas = atlas_,
+                                          derived = derived_, wake = wake_] {
+    Flat flat;
+    flat.mesh = mesh;
+    flat.layout =
+        std::make_shared<const UvLayout>(uvLayout(*mesh, cornerUv(*mesh, *charts, *atlas)));
+    flat.cuts = cutSides(*charts);
+    if (derived) {
+      flat.vertices = derived->vertices;
+      flat.parted = partedVertices(*flat.vertices, flat.layout->corners);
+    }
+    wake();
+    return flat;
+  });
 }
 
 void SceneView::takeDistortion(const Results& results) {

@@ -91,6 +91,7 @@ class SceneView : public SceneSource {
   void takeIn(const AppState& state);
   void takeMesh(const AppState& state, const Results& results);
   void takeDerived(const AppState& state, const Results& results);
+  void showDerived(std::shared_ptr<const SurfaceDerived> derived, const SurfaceVertices* parted);
   void takeFlood(std::shared_ptr<const FloodRecord> record);
   void takeBorders(const AppState& state);
   void takeAreas(const AppState& state);
@@ -138,11 +139,19 @@ class SceneView : public SceneSource {
   std::shared_ptr<const TriangleTree> tree_;       // null until picks can be answered
   std::shared_ptr<const SurfaceMarks> marks_;      ///< uploaded
 
-  /// Texture places and cuts, worked out by a thread of its own.
+  /// Vertices with texture places, worked out by a thread of its own when normals change.
+  struct Parting {
+    std::shared_ptr<const SurfaceDerived> derived;
+    std::shared_ptr<const UvLayout> layout;
+    std::shared_ptr<const SurfaceVertices> vertices;
+  };
+  std::future<Parting> parting_;
+  /// The same when texture places change, with cuts.
   struct Flat {
     std::shared_ptr<const Mesh> mesh;
-    UvLayout layout;
+    std::shared_ptr<const UvLayout> layout;
     std::vector<Index> cuts;
+    std::shared_ptr<const SurfaceVertices> vertices, parted;  ///< null: not made yet
   };
   std::future<Flat> flat_;
   std::shared_ptr<const ChartSet> chartSet_;  ///< of the last one asked for

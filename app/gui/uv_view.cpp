@@ -99,7 +99,7 @@ const UvHighlight& UvView::highlight(const AppState& state) {
   highlightFace_ = face;
   highlightContent_ = scene_.content();
   highlight_ = {};
-  const UvLayout* layout = scene_.renderer().textureLayout();
+  const std::shared_ptr<const UvLayout> layout = scene_.renderer().textureLayout();
   const Mesh* mesh = scene_.renderer().mesh();
   if (layout == nullptr || face >= mesh->faceCount()) return highlight_;
   const Index first = mesh->triangleBegin(face);

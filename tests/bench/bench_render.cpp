@@ -185,7 +185,7 @@ void layOut(benchmark::State& state) {
   renderer.setMesh(mesh, nullptr);
   double uploading = 0;
   for (auto _ : state) {
-    UvLayout layout = uvLayout(*mesh, uv);
+    auto layout = std::make_shared<const UvLayout>(uvLayout(*mesh, uv));
     const auto start = std::chrono::steady_clock::now();
     renderer.setUvLayout(std::move(layout));
     glFinish();
