@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "core/model/face_values.h"
@@ -29,6 +30,16 @@ enum class FloodLayout {
 /// Cost: linear, one pass.
 FloodGraph buildFloodGraph(const Mesh& mesh, const GaussArea& gauss, const FloodSpeeds& speeds,
                            FloodLayout layout = FloodLayout::Automatic);
+
+/// Distance between the centroids of a triangle and of the one across its side k, normalised units.
+/// \pre `across` is FloodFace::neighbour[k] of the triangle, not kNone
+inline double centroidDistance(const Mesh& mesh, Index triangle, Index k, Index across) {
+  const auto corner = [&](Index t, Index i) -> const glm::dvec3& {
+    return mesh.positions()[mesh.triangles()[t][i % 3]];
+  };
+  // Two corners are common: the centroids differ by a third of what the others do.
+  return glm::length(corner(across >> 2, (across & 3) + 2) - corner(triangle, k + 2)) / 3.0;
+}
 
 /// Area-weighted centroid of each face in normalised units.
 std::vector<glm::dvec3> faceCentroids(const Mesh& mesh);

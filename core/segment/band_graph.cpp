@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 #include "core/base/parallel.h"
+#include "core/flood/build_flood_graph.h"
 
 namespace chartflood {
 
@@ -146,22 +145,16 @@ class BandBuilder {
   }
 
  private:
-  const glm::dvec3& cornerOf(Index face, Index k) const {
-    return mesh_.positions()[mesh_.triangles()[face][k]];
-  }
-
   FloodFace recordOf(Index node, std::vector<Contact>& contacts) const {
     const Index face = free_[node];
     FloodFace record = source_.flood.faces[face];
     for (Index k = 0; k < 3; ++k) {
       if (record.neighbour[k] == kNone) continue;
-      const Index other = record.neighbour[k] >> 2, side = record.neighbour[k] & 3;
-      // Two corners are common: the centroids differ by a third of what the others do.
-      const glm::dvec3 apart = cornerOf(other, (side + 2) % 3) - cornerOf(face, (k + 2) % 3);
-      record.delay[k] = static_cast<float>(glm::length(apart) / 3.0);
-      const Index there = graph_.nodeOfFace[other];
+      const Index across = record.neighbour[k];
+      record.delay[k] = static_cast<float>(centroidDistance(mesh_, face, k, across));
+      const Index there = graph_.nodeOfFace[across >> 2];
       if (there < free_.size()) {
-        record.neighbour[k] = 4 * there + side;
+        record.neighbour[k] = 4 * there + (across & 3);
       } else {
         record.neighbour[k] = kNone;
         contacts.push_back(

@@ -79,10 +79,8 @@ class Faces {
     const FloodFace& record = flood_.faces[f];
     for (Index k = 0; k < 3; ++k) {
       if (record.neighbour[k] == kNone) continue;
-      const Index g = record.neighbour[k] >> 2, side = record.neighbour[k] & 3;
-      // Two corners are common: the centroids differ by a third of what the others do.
-      const glm::dvec3 apart = corner(g, (side + 2) % 3) - corner(f, (k + 2) % 3);
-      visit(g, glm::length(apart) / 3.0, record.delay[k]);
+      const Index across = record.neighbour[k];
+      visit(across >> 2, centroidDistance(mesh_, f, k, across), record.delay[k]);
     }
   }
 
