@@ -141,7 +141,7 @@ struct NodeDual {
     const FloodGraph& flood = graph.nodes.flood;
     for (Index i = flood.arcBegin[node]; i < flood.arcBegin[node + 1]; ++i) {
       const Index next = flood.arcs[i].face;
-      visit(next, glm::length(graph.center[node] - graph.center[next]));
+      visit(next, static_cast<float>(glm::length(graph.center[node] - graph.center[next])));
     }
   }
 };

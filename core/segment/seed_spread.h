@@ -55,15 +55,24 @@ class SeedDistances {
   void add(Index seed) {
     isSeed_[seed] = true;
     improve(seed, 0.0f);
+    heap_.push(timedFace(0.0f, seed));
     while (!heap_.empty()) {
       const TimedFace top = heap_.top();
-      heap_.pop();
       const Index face = chartflood::faceOf(top);
-      if (timeOf(top) != distance_[face]) continue;
-      dual_.forNeighbours(face, [&](Index next, double length) {
-        const float there = timeOf(top) + static_cast<float>(length);
-        if (there < distance_[next]) improve(next, there);
+      if (timeOf(top) != distance_[face]) {  // reached on a shorter way meanwhile
+        heap_.pop();
+        continue;
+      }
+      bool replaced = false;
+      dual_.forNeighbours(face, [&](Index next, float length) {
+        const float there = timeOf(top) + length;
+        if (there >= distance_[next]) return;
+        improve(next, there);
+        const TimedFace entry = timedFace(there, next);
+        replaced ? heap_.push(entry) : heap_.replaceTop(entry);
+        replaced = true;
       });
+      if (!replaced) heap_.pop();
     }
   }
 
@@ -93,7 +102,6 @@ class SeedDistances {
   void improve(Index face, float distance) {
     distance_[face] = distance;
     blocks_[blockOf_[face]].stale = true;
-    heap_.push(timedFace(distance, face));
   }
   void scan(Block& block) {
     block.distance = -1;

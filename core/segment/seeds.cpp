@@ -7,12 +7,15 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/flood/build_flood_graph.h"
 #include "core/segment/seed_spread.h"
 
 namespace chartflood {
 
 namespace {
+
+constexpr std::size_t kSideBlock = 1 << 15;
 
 /// Neighbours of faces with the distances between centroids.
 class FaceDual {
@@ -22,18 +25,37 @@ class FaceDual {
   template <class Visit>
   void forNeighbours(Index face, const Visit& visit) const {
     // Made when it is first asked for: given seeds may be all there are.
-    if (centroid_.empty()) centroid_ = faceCentroids(mesh_);
+    if (ways_.empty()) findWays();
     for (Index s = 3 * mesh_.triangleBegin(face); s < 3 * mesh_.triangleBegin(face + 1); ++s) {
-      const Index opposite = mesh_.opposite()[s];
-      if (opposite == kNone) continue;
-      const Index next = mesh_.faceOf(opposite / 3);
-      visit(next, glm::length(centroid_[face] - centroid_[next]));
+      const Way& way = ways_[s];
+      if (way.next != kNone) visit(way.next, way.length);
     }
   }
 
  private:
+  /// Across a side of a triangle; inside a face it leads nowhere.
+  struct Way {
+    Index next = kNone;
+    float length = 0;
+  };
+
+  void findWays() const {
+    const std::vector<glm::dvec3> centroid = faceCentroids(mesh_);
+    ways_.resize(mesh_.opposite().size());
+    parallelBlocks(ways_.size(), kSideBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) {
+        const Index opposite = mesh_.opposite()[s];
+        if (opposite == kNone) continue;
+        const Index face = mesh_.faceOf(static_cast<Index>(s / 3));
+        const Index next = mesh_.faceOf(opposite / 3);
+        if (next == face) continue;
+        ways_[s] = {next, static_cast<float>(glm::length(centroid[face] - centroid[next]))};
+      }
+    });
+  }
+
   const Mesh& mesh_;
-  mutable std::vector<glm::dvec3> centroid_;
+  mutable std::vector<Way> ways_;  ///< of all sides of triangles
 };
 
 }  // namespace
