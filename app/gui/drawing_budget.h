@@ -6,6 +6,6 @@ namespace chartflood {
 inline constexpr int kSmoothSamples = 4;
 inline constexpr double kSmoothWhileMoving =
     0.012;                                       ///< seconds a smooth picture may take in motion
-inline constexpr double kSecondsAtOnce = 0.009;  ///< of drawing at one go
+inline constexpr double kSecondsAtOnce = 0.018;  ///< of drawing at one go
 
 }  // namespace chartflood
