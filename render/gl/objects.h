@@ -88,22 +88,13 @@ using VertexArray = Handle<VertexArrayKind>;
 using Renderbuffer = Handle<RenderbufferKind>;
 using FramebufferObject = Handle<FramebufferKind>;
 
-/// Fills a buffer bound to `target` with a copy of `data`; makes it first where it is empty. What
-/// is drawn once (GL_STREAM_DRAW) gets new storage each time; else a buffer keeps its own while
-/// that fits, as new pages cost software drivers many times what the copy does.
+/// Fills a buffer bound to `target` with a copy of `data`; makes it first where it is empty.
 template <typename T>
 void uploadBuffer(Buffer& buffer, GLenum target, std::span<const T> data,
                   GLenum usage = GL_STATIC_DRAW) {
-  const auto bytes = static_cast<GLsizeiptr>(data.size_bytes());
-  const bool refill = buffer && usage != GL_STREAM_DRAW;
   if (!buffer) buffer = Buffer::create();
   glBindBuffer(target, buffer.id());
-  if (!refill) return glBufferData(target, bytes, data.data(), usage);
-  GLint there = 0;
-  glGetBufferParameteriv(target, GL_BUFFER_SIZE, &there);
-  // One that was filled again will be so once more, with a little more or less.
-  if (bytes > there || bytes < there / 2) glBufferData(target, bytes + bytes / 8, nullptr, usage);
-  glBufferSubData(target, 0, bytes, data.data());
+  glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), usage);
 }
 
 /// An array that shaders read by index (samplerBuffer and its integer kinds).
