@@ -74,7 +74,7 @@ class FloodEngine final : public Flood {
   /// Takes between two looks at the clock, the readers and the cancel flag.
   static constexpr std::size_t kBurst = 2048;
 
-  struct Chart {
+  struct alignas(64) Chart {
     MinHeap heap;         ///< faces at its border by local time (the secondary heap)
     double balance = 0;   ///< gains so far plus offset
     double nextGain = 0;  ///< gain of the heap's top, for the key and for its taking
@@ -134,7 +134,8 @@ class FloodEngine final : public Flood {
       } else {
         heap.push(offer);
       }
-      store_.prefetchFace(neighbour);
+      // What was just written to is at hand already.
+      store_.prefetchWays(neighbour);
       ++counts_.pushes;
     });
     if (fromHeap) heap.pop();
@@ -156,7 +157,7 @@ class FloodEngine final : public Flood {
     // It will be this chart's turn again after about one take of every other chart: time enough
     // for the memory to bring what that take touches.
     store_.prefetchNeighbours(face);
-    c.heap.forEachCandidate([&](TimedFace entry) { store_.prefetchFace(faceOf(entry)); });
+    store_.prefetchFace(faceOf(c.heap.risen()));
     return ranked;
   }
 

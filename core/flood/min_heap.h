@@ -32,17 +32,17 @@ class MinHeap {
   std::size_t size() const { return size_; }
   /// The first entry; of an empty heap, a value above all entries.
   TimedFace top() const { return lines_[0][kRoot]; }
-  /// Calls `visit(entry)` for each entry that may be the next top.
-  template <class Visit>
-  void forEachCandidate(const Visit& visit) const {
-    if (lines_.size() < 2) return;
-    for (const TimedFace entry : lines_[1]) {
-      if (entry != kNoEntry) visit(entry);
-    }
+  /// Of the entries right below the top, one of which is the next, the one that rose there last; the
+  /// top while none did. Followed from step to step it names each of them once, in time to fetch
+  /// what it stands for.
+  TimedFace risen() const {
+    const TimedFace entry = lines_[risen_ / kArity][risen_ % kArity];
+    return entry != kNoEntry ? entry : top();
   }
   void clear() {
     lines_.assign(1, kNoEntries);
     size_ = 0;
+    risen_ = kRoot;
   }
 
   void push(TimedFace entry) {
@@ -71,6 +71,7 @@ class MinHeap {
     TimedFace* hole = &lines[0][kRoot];
     for (std::size_t line = 1; line < count;) {
       const Smallest smallest = smallestOf(lines[line]);
+      if (line == 1) risen_ = kArity + smallest.place;
       if (smallest.entry >= entry) break;
       *hole = smallest.entry;
       hole = &lines[line][smallest.place];
@@ -105,6 +106,7 @@ class MinHeap {
 
   std::vector<Line> lines_ = {kNoEntries};
   std::size_t size_ = 0;
+  std::size_t risen_ = kRoot;  ///< place of what risen() names
 };
 
 }  // namespace chartflood

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/index.h"
+#include "core/base/raw_vector.h"
 #include "core/flood/corner_state.h"
 #include "core/model/flood_graph.h"
 
@@ -106,7 +107,7 @@ class TriangleStore {
       if (record.neighbour[k] != kNone) visit(record.neighbour[k] >> 2, record.delay[k]);
     }
   }
-  /// Fetches what forEachWay() reads.
+  /// Fetches what forEachWay() reads, which taking the face reads as well.
   void prefetchWays(Index face) const { __builtin_prefetch(graph_.faces.data() + face); }
 
   void prefetchFace(Index face) const {
@@ -154,7 +155,7 @@ class TriangleStore {
   static constexpr Label kWall = kFree - 1;  ///< beyond a mesh border
 
   const FloodGraph& graph_;
-  std::vector<Word> dry_, words_;
+  RawVector<Word> dry_, words_;
   CornerState corners_;
 };
 

@@ -278,6 +278,20 @@ TEST(MinHeap, SortsAnything) {
   EXPECT_TRUE(heap.empty());
 }
 
+TEST(MinHeap, NamesEveryEntryBeforeItIsTheTop) {
+  Rng rng(1);
+  MinHeap heap;
+  for (Index i = 0; i < 1000; ++i) heap.push(timedFace(static_cast<float>(rng.below(100)), i));
+  std::vector<int> named(1000, 0);
+  std::size_t unnamed = 0;
+  while (!heap.empty()) {
+    if (named[faceOf(heap.top())] == 0) ++unnamed;
+    heap.pop();
+    if (!heap.empty()) ++named[faceOf(heap.risen())];
+  }
+  EXPECT_LE(unnamed, 9u);  // the first top and what is right below it from the start
+}
+
 TEST(PrimaryQueue, TiesGoToTheLowestChart) {
   for (const std::size_t count : {1u, 2u, 5u, 20u, 64u, 1000u}) {
     PrimaryQueue queue;
