@@ -142,6 +142,7 @@ void Renderer::setUvLayout(std::shared_ptr<const UvLayout> layout, const Surface
   if (!mesh_) return;
   if (layout->empty()) return forgetUv();
   unfinished_.reset();
+  surface_->forgetSimple();
   showParted(*layout, parted);
   uv_.emplace(mesh_, std::move(layout));
   if (cuts_) uv_->setCuts(cuts_->edges());
@@ -151,6 +152,7 @@ void Renderer::setUvLayout(std::shared_ptr<const UvLayout> layout, const Surface
 void Renderer::forgetUv() {
   if (!uv_) return;
   unfinished_.reset();
+  surface_->forgetSimple();
   surface_->setVertices(*vertices_);
   uv_.reset();
   if (marks_) marks_->setTexture(*mesh_, nullptr);

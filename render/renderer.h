@@ -55,6 +55,12 @@ struct Pick {
   bool hit() const { return triangle != kNone; }
 };
 
+/// With what a picture shows the surface.
+enum class SurfaceForm {
+  Whole,
+  Simple,  ///< what setSimpleSurface() was given, where there is one
+};
+
 /// The middle of a face: where its seed mark stands. Normalised units.
 glm::dvec3 faceMiddle(const Mesh& mesh, Index face);
 
@@ -102,6 +108,12 @@ class Renderer {
   void setCuts(std::span<const Index> sides);
   /// More lines on the model, the first ones lowest; empty: none.
   void setLines(std::span<const EdgeLines> lines);
+  /// Fewer triangles for pictures that ask for them, made of this mesh and textureLayout(); empty:
+  /// none. Other texture places end it; other normals do not.
+  void setSimpleSurface(const SimpleSurface& simple);
+  bool hasSimpleSurface() const;
+  /// Pixels that its details take in such a picture; 0 without one.
+  double simpleDetail(const Camera& camera, const PicturePart& part) const;
   /// What pictures with RenderSettings::problems point at, on the model and in the texture.
   void setMarks(const SurfaceMarks& marks);
 
@@ -130,7 +142,8 @@ class Renderer {
   /// holds up the caller. An unfinished one is dropped, as it is by draw() and by another mesh. The
   /// framebuffer must stay where it is until then.
   void beginDrawing(const gl::Framebuffer& target, const Camera& camera,
-                    const RenderSettings& settings, const PicturePart& part);
+                    const RenderSettings& settings, const PicturePart& part,
+                    SurfaceForm form = SurfaceForm::Whole);
   /// The same for a picture of the texture.
   void beginDrawingUv(const gl::Framebuffer& target, const UvCamera& camera,
                       const RenderSettings& settings, const UvStyle& style,
@@ -140,7 +153,8 @@ class Renderer {
   bool continueDrawing(double seconds);
   /// Has the driver translate the shaders that these settings need, with and without a playhead:
   /// software drivers take a tenth of a second for each, which nobody should wait for in a flood.
-  void warmUp(const RenderSettings& settings, std::span<const int> samples);
+  void warmUp(const RenderSettings& settings, std::span<const int> samples,
+              SurfaceForm form = SurfaceForm::Whole);
   /// True while a picture waits for continueDrawing().
   bool drawing() const { return unfinished_.has_value(); }
   /// True while it is the one in this framebuffer.
@@ -186,6 +200,7 @@ class Renderer {
     Eye eye;
     float dash = 0;          ///< a dash and a gap of a cut, in units of the eye's space
     bool inTexture = false;  ///< triangles stand where the texture has them
+    bool simple = false;     ///< the simple form of the surface
     glm::vec2 origin{0};     ///< of the part in the picture, pixels from its bottom left
   };
 
@@ -198,6 +213,7 @@ class Renderer {
     bool inTexture = false;
     UvCamera uvCamera = {};  ///< of a picture of the texture
     UvStyle uvStyle = {};
+    bool simple = false;  ///< as in Frame
     std::size_t nextTriangle = 0;
     std::size_t pieceSize = 16'000;  ///< triangles, by what the last piece took
   };
@@ -213,6 +229,7 @@ class Renderer {
   void showParted(const UvLayout& layout, const SurfaceVertices* parted);
 
   void drawBackground(const Frame& frame);
+  std::size_t drawnTriangles(const Frame& frame) const;
   /// Draws up to so many triangles from `first` on; returns the first one that is left.
   std::size_t drawSurface(const Frame& frame, std::size_t first, std::size_t count);
   bool drawSurfacePieces(const Frame& frame, Unfinished& picture, double seconds);

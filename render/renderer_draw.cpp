@@ -11,7 +11,8 @@
 
 namespace chartflood {
 
-void Renderer::warmUp(const RenderSettings& settings, std::span<const int> samples) {
+void Renderer::warmUp(const RenderSettings& settings, std::span<const int> samples,
+                      SurfaceForm form) {
   if (!mesh_) return;
   constexpr int kSize = 8;
   const Camera camera;
@@ -21,7 +22,7 @@ void Renderer::warmUp(const RenderSettings& settings, std::span<const int> sampl
       RenderSettings wanted = settings;
       wanted.playhead.reset();
       if (playing) wanted.playhead = 1;
-      beginDrawing(target, camera, wanted, PicturePart::whole(kSize, kSize));
+      beginDrawing(target, camera, wanted, PicturePart::whole(kSize, kSize), form);
       const gl::FramebufferScope keep;
       target.bindForDrawing();
       useColorMap(wanted);
@@ -51,6 +52,7 @@ Renderer::Frame Renderer::frameOf(const Unfinished& picture) const {
               {},
               0,
               picture.inTexture,
+              picture.simple,
               glm::vec2(picture.part.left, picture.part.bottom)};
   if (picture.inTexture) {
     frame.eye = makeEye(picture.uvCamera, picture.part);
@@ -80,8 +82,28 @@ void Renderer::draw(const gl::Framebuffer& target, const Camera& camera,
 }
 
 void Renderer::beginDrawing(const gl::Framebuffer& target, const Camera& camera,
-                            const RenderSettings& settings, const PicturePart& part) {
-  begin({&target, camera, settings, part});
+                            const RenderSettings& settings, const PicturePart& part,
+                            SurfaceForm form) {
+  Unfinished picture{&target, camera, settings, part};
+  picture.simple = form == SurfaceForm::Simple && hasSimpleSurface();
+  begin(std::move(picture));
+}
+
+void Renderer::setSimpleSurface(const SimpleSurface& simple) {
+  if (!mesh_) return;
+  unfinished_.reset();
+  if (simple.empty())
+    surface_->forgetSimple();
+  else
+    surface_->setSimple(simple);
+}
+
+bool Renderer::hasSimpleSurface() const { return mesh_ && surface_->simpleCount() > 0; }
+
+double Renderer::simpleDetail(const Camera& camera, const PicturePart& part) const {
+  if (!hasSimpleSurface()) return 0;
+  const double pixel = static_cast<double>(makeEye(camera, bounds_, part).pixel);
+  return surface_->simpleDetail() / (pixel * (camera.orthographic ? 1 : camera.distance));
 }
 
 void Renderer::begin(Unfinished picture) {
@@ -154,7 +176,7 @@ void Renderer::finishScene(const Frame& frame, const Camera& camera) {
 bool Renderer::drawSurfacePieces(const Frame& frame, Unfinished& picture, double seconds) {
   if (!mesh_ || (frame.inTexture && (!uv_ || !picture.uvStyle.fill))) return true;
   if (seconds == std::numeric_limits<double>::infinity()) {
-    drawSurface(frame, picture.nextTriangle, mesh_->triangleCount());
+    drawSurface(frame, picture.nextTriangle, drawnTriangles(frame));
     return true;
   }
   using Clock = std::chrono::steady_clock;
@@ -162,7 +184,8 @@ bool Renderer::drawSurfacePieces(const Frame& frame, Unfinished& picture, double
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   const Clock::time_point start = Clock::now();
-  while (picture.nextTriangle < mesh_->triangleCount()) {
+  const std::size_t count = drawnTriangles(frame);
+  while (picture.nextTriangle < count) {
     const Clock::time_point pieceStart = Clock::now();
     picture.nextTriangle = drawSurface(frame, picture.nextTriangle, picture.pieceSize);
     glFinish();
@@ -172,7 +195,7 @@ bool Renderer::drawSurfacePieces(const Frame& frame, Unfinished& picture, double
         static_cast<double>(picture.pieceSize) * std::clamp(share, 0.3, 4.0), 2000.0, 1e9));
     if (since(start) >= seconds * 2 / 3) break;
   }
-  return picture.nextTriangle >= mesh_->triangleCount();
+  return picture.nextTriangle >= count;
 }
 
 void Renderer::drawBackground(const Frame& frame) {

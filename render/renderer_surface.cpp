@@ -149,6 +149,7 @@ gl::Program& Renderer::surfaceProgram(const Frame& frame) {
   if (!settings.hiddenCharts.empty() || !settings.selectedCharts.empty()) {
     macros.push_back("STATES");
   }
+  if (frame.simple) macros.push_back("SIMPLE");
   const bool lit = settings.lighting && !frame.inTexture;
   if (lit) macros.push_back("LIGHT");
   if (!settings.smoothNormals || !surface_->hasNormals()) {
@@ -156,7 +157,7 @@ gl::Program& Renderer::surfaceProgram(const Frame& frame) {
   } else if (lit && surface_->culled() && mesh_->triangleCount() > kDense) {
     macros.push_back("VERTEX_LIGHT");
   }
-  if (settings.edges) macros.push_back("WIRE");
+  if (settings.edges && !frame.simple) macros.push_back("WIRE");
   if (settings.problems && marks_ && marks_->marksTriangles()) macros.push_back("MARKS");
   if (fill == kChecker) {
     macros.push_back("CHECKER " + std::to_string(static_cast<int>(shownChecker(settings))));
@@ -198,8 +199,12 @@ void Renderer::setTriangleMarks(gl::Program& program, const Frame& frame) {
   program.set("uPartOrigin", frame.origin);
 }
 
+std::size_t Renderer::drawnTriangles(const Frame& frame) const {
+  return frame.simple ? surface_->simpleCount() : mesh_->triangleCount();
+}
+
 std::size_t Renderer::drawSurface(const Frame& frame, std::size_t first, std::size_t count) {
-  const std::size_t end = first + std::min(count, mesh_->triangleCount() - first);
+  const std::size_t end = first + std::min(count, drawnTriangles(frame) - first);
   const RenderSettings& settings = frame.settings;
   if (settings.playhead) flood_->prepare();  // before anything is bound
   gl::Program& program = surfaceProgram(frame);
@@ -239,7 +244,14 @@ std::size_t Renderer::drawSurface(const Frame& frame, std::size_t first, std::si
   program.set("uOutside", surface_->insideOut() ? -1.0f : 1.0f);
   // The inside of a closed surface is seen only where charts are hidden, and in the texture, where
   // a flipped triangle shall show.
-  surface_->draw(settings.hiddenCharts.empty() && !frame.inTexture, first, end - first);
+  const bool outsideAlone = settings.hiddenCharts.empty() && !frame.inTexture;
+  if (frame.simple) {
+    surface_->bindSimple(units::kSimple);
+    program.set("uTriangles", static_cast<int>(units::kSimple));
+    surface_->drawSimple(outsideAlone, first, end - first);
+  } else {
+    surface_->draw(outsideAlone, first, end - first);
+  }
   return end;
 }
 

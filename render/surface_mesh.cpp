@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -41,16 +40,7 @@ void viewAsTexture(gl::Texture& texture, GLenum format, const gl::Buffer& buffer
 
 }  // namespace
 
-SurfaceMesh::SurfaceMesh(const Mesh& mesh, const SurfaceVertices& vertices)
-    : triangleCount_(mesh.triangleCount()), vertexArray_(gl::VertexArray::create()) {
-  // Pieces may face different ways, so only a single one tells which side is outside.
-  culled_ = mesh.closed() && mesh.componentCount() == 1;
-  insideOut_ = culled_ && signedVolume(mesh) < 0;
-  setVertices(vertices);
-  innerSides_.upload<std::uint8_t>(GL_R8UI, innerSides(mesh));
-}
-
-void SurfaceMesh::setVertices(const SurfaceVertices& vertices) {
+void SurfaceArrays::upload(const SurfaceVertices& vertices) {
   using Vertex = SurfaceVertices::Vertex;
   hasNormals_ = vertices.hasNormals;
   glBindVertexArray(vertexArray_.id());
@@ -70,20 +60,56 @@ void SurfaceMesh::setVertices(const SurfaceVertices& vertices) {
     glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
   }
   glBindVertexArray(0);
-  viewAsTexture(vertexTexture_, GL_RGBA32F, vertices_);
-  viewAsTexture(indexTexture_, GL_R32UI, indices_);
 }
 
-void SurfaceMesh::draw(bool outsideAlone, std::size_t first, std::size_t count) const {
-  glFrontFace(insideOut_ ? GL_CW : GL_CCW);
-  if (culled_ && outsideAlone) glEnable(GL_CULL_FACE);
+void SurfaceArrays::draw(std::size_t first, std::size_t count) const {
   glBindVertexArray(vertexArray_.id());
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
                  reinterpret_cast<const void*>(3 * first * sizeof(Index)));
   glBindVertexArray(0);
+}
+
+SurfaceMesh::SurfaceMesh(const Mesh& mesh, const SurfaceVertices& vertices)
+    : triangleCount_(mesh.triangleCount()) {
+  // Pieces may face different ways, so only a single one tells which side is outside.
+  culled_ = mesh.closed() && mesh.componentCount() == 1;
+  insideOut_ = culled_ && signedVolume(mesh) < 0;
+  setVertices(vertices);
+  innerSides_.upload<std::uint8_t>(GL_R8UI, innerSides(mesh));
+}
+
+void SurfaceMesh::setVertices(const SurfaceVertices& vertices) {
+  arrays_.upload(vertices);
+  viewAsTexture(vertexTexture_, GL_RGBA32F, arrays_.vertices());
+  viewAsTexture(indexTexture_, GL_R32UI, arrays_.indices());
+}
+
+void SurfaceMesh::setSimple(const SimpleSurface& simple) {
+  simple_.emplace();
+  simple_->arrays.upload(simple.surface);
+  simple_->triangles.upload<Index>(GL_R32UI, simple.triangles);
+  simple_->count = simple.triangles.size();
+  simple_->detail = simple.detail;
+}
+
+void SurfaceMesh::draw(const SurfaceArrays& arrays, bool outsideAlone, std::size_t first,
+                       std::size_t count) const {
+  glFrontFace(insideOut_ ? GL_CW : GL_CCW);
+  if (culled_ && outsideAlone) glEnable(GL_CULL_FACE);
+  arrays.draw(first, count);
   glDisable(GL_CULL_FACE);
   glFrontFace(GL_CCW);
 }
+
+void SurfaceMesh::draw(bool outsideAlone, std::size_t first, std::size_t count) const {
+  draw(arrays_, outsideAlone, first, count);
+}
+
+void SurfaceMesh::drawSimple(bool outsideAlone, std::size_t first, std::size_t count) const {
+  draw(simple_->arrays, outsideAlone, first, count);
+}
+
+void SurfaceMesh::bindSimple(GLuint unit) const { simple_->triangles.bind(unit); }
 
 void SurfaceMesh::bindArrays(GLuint vertexUnit, GLuint indexUnit, GLuint innerSideUnit) const {
   glActiveTexture(GL_TEXTURE0 + vertexUnit);

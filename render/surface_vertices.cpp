@@ -1,26 +1,12 @@
 #include "render/surface_vertices.h"
 
-#include <algorithm>
 #include <cstddef>
 
 #include <glm/vec3.hpp>
 
+#include "render/packed_normal.h"
+
 namespace chartflood {
-
-namespace {
-
-std::uint32_t packComponent(float value) {
-  const double scaled = 511.0 * std::clamp(value, -1.0f, 1.0f);
-  // No call of the library: there are nine of these for each triangle.
-  const auto rounded = static_cast<std::int32_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
-  return static_cast<std::uint32_t>(rounded) & 0x3FFu;
-}
-
-std::uint32_t packNormal(const glm::vec3& n) {
-  return packComponent(n.x) | packComponent(n.y) << 10 | packComponent(n.z) << 20;
-}
-
-}  // namespace
 
 std::shared_ptr<const SurfaceVertices> surfaceVertices(const Mesh& mesh,
                                                        const CornerNormals* normals) {

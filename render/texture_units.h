@@ -19,5 +19,6 @@ inline constexpr GLuint kInnerSides = 10;
 inline constexpr GLuint kCheckerGlyphs = 11;
 inline constexpr GLuint kMarks = 12;
 inline constexpr GLuint kCheckerPicture = 13;
+inline constexpr GLuint kSimple = 14;
 
 }  // namespace chartflood::units

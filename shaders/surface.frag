@@ -9,6 +9,7 @@
 //   CHECKER 0..2  what stands on the checkerboard, with its FILL
 //   MARKS         some triangles carry a pattern
 //   IN_TEXTURE    triangles stand where the texture has them
+//   SIMPLE        each triangle that is drawn stands for one of many
 #include "common/color_map.glsl"
 #include "common/light.glsl"
 
@@ -52,7 +53,10 @@ uniform samplerBuffer uVertices;     // place and packed normal of each drawn ve
 uniform usamplerBuffer uIndices;     // three vertices a triangle
 uniform usamplerBuffer uInnerSides;  // bit i: side i is inside a polygon
 
-uniform int uFirstTriangle;  // of the part of the mesh that is drawn
+uniform int uFirstTriangle;  // of the part that is drawn
+#ifdef SIMPLE
+uniform usamplerBuffer uTriangles;  // of the mesh, for each triangle that is drawn
+#endif
 
 uniform uint uHoverFirst;  // triangles [first, end) under the pointer
 uniform uint uHoverEnd;
@@ -151,6 +155,9 @@ vec3 lit(vec3 color) {
 
 void main() {
   int triangle = gl_PrimitiveID + uFirstTriangle;
+#ifdef SIMPLE
+  triangle = int(texelFetch(uTriangles, triangle).r);
+#endif
 #ifdef FLOOD
   uvec2 taken = texelFetch(uFlood, triangle).rg;
   uint order = taken.r;

@@ -14,6 +14,8 @@ namespace chartflood {
 namespace {
 
 constexpr std::size_t kFacesAtOnce = 30'000;  // of a flood's log taken in by one pass
+constexpr std::size_t kSimple = 120'000;      // triangles of the simple surface
+constexpr std::size_t kDense = 2 * kSimple;   // from which there is one
 
 template <class Value>
 bool isReady(const std::future<Value>& future) {
@@ -39,6 +41,9 @@ void SceneView::takeMesh(const AppState& state, const Results& results) {
   atlas_.reset();
   unwrap_.reset();
   hintsShown_.reset();
+  simpleOf_.reset();
+  simpleLayout_.reset();
+  slow_ = false;
   ++content_;
 }
 
@@ -232,6 +237,33 @@ void SceneView::takeDistortion(const Results& results) {
   ++content_;
 }
 
+/// Where pictures are slow, fewer triangles are made ready for the next motion.
+void SceneView::takeSimple(const AppState& state) {
+  const auto layout = renderer_.textureLayout();
+  if (isReady(simplifying_)) {
+    const Simplified done = simplifying_.get();
+    if (done.mesh == mesh_ && done.layout == layout) {
+      coarse(SurfaceForm::Simple) = false;
+      renderer_.setSimpleSurface(*done.surface);
+      const int samples[] = {1};
+      renderer_.warmUp(settings(state, 1), samples, SurfaceForm::Simple);
+    }
+  }
+  if (!slow_ || !derived_ || mesh_->triangleCount() < kDense || simplifying_.valid()) return;
+  if (simpleOf_ == derived_ && simpleLayout_ == layout) return;
+  // Normals of a moment ago are good enough while a slider moves them.
+  if (renderer_.hasSimpleSurface() && state.changing()) return;
+  simpleOf_ = derived_;
+  simpleLayout_ = layout;
+  simplifying_ = std::async(
+      std::launch::async, [mesh = mesh_, derived = derived_, layout, wake = wake_] {
+        Simplified done{mesh, derived, layout,
+                        simpleSurface(*mesh, *derived->vertices, layout.get(), kSimple)};
+        wake();
+        return done;
+      });
+}
+
 void SceneView::takeIn(const AppState& state) {
   const Results& results = paneResults(state, pane_);
   takeMesh(state, results);
@@ -262,6 +294,7 @@ void SceneView::takeIn(const AppState& state) {
   takeMarks(state, results);
   takeUnwrap(results);
   takeDistortion(results);
+  takeSimple(state);
 }
 
 }  // namespace chartflood

@@ -14,8 +14,15 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kCoarseFrom = 0.045;   // slower plain pictures get half the size in motion
+constexpr double kSlow = 0.045;         // pictures of the whole surface that want a simple one
 constexpr double kCoarseUntil = 0.012;  // quicker coarse ones get their full size back
+constexpr double kSimpleDetail = 8;     // pixels that the simple surface may leave out
+
+/// Slower plain pictures get half the size in motion. Those of the simple surface would gain little:
+/// pixels are not what they take long for.
+constexpr double coarseFrom(SurfaceForm form) {
+  return form == SurfaceForm::Simple ? 0.12 : kSlow;
+}
 
 }  // namespace
 
@@ -58,13 +65,24 @@ int SceneView::samplesFor(bool moving) const {
   return moving && smoothSeconds_ > kSmoothWhileMoving ? 1 : kSmoothSamples;
 }
 
+Camera SceneView::shownCamera(const AppState& state) const {
+  return state.compare.showing() ? paneCamera(state, pane_) : state.view.camera;
+}
+
+SurfaceForm SceneView::formFor(const AppState& state, int samples) const {
+  const double detail =
+      renderer_.simpleDetail(shownCamera(state), PicturePart::whole(width_, height_));
+  const bool fine = detail > 0 && detail < kSimpleDetail;
+  return samples == 1 && slow_ && fine ? SurfaceForm::Simple : SurfaceForm::Whole;
+}
+
 void SceneView::begin(const Shown& wanted) {
   const bool fits = back_.width() == wanted.width && back_.height() == wanted.height &&
                     backSamples_ == wanted.samples;
   if (!fits) back_ = gl::Framebuffer(wanted.width, wanted.height, wanted.samples);
   backSamples_ = wanted.samples;
   renderer_.beginDrawing(back_, wanted.camera, wanted.settings,
-                         PicturePart::whole(wanted.width, wanted.height));
+                         PicturePart::whole(wanted.width, wanted.height), wanted.form);
   pending_ = wanted;
   pendingSeconds_ = 0;
 }
@@ -79,8 +97,10 @@ bool SceneView::goOn() {
   if (pending_->samples == kSmoothSamples) {
     smoothSeconds_ = pendingSeconds_;
   } else {
-    coarse_ = pendingSeconds_ > (coarse_ ? kCoarseUntil : kCoarseFrom);
+    bool& coarse = this->coarse(pending_->form);
+    coarse = pendingSeconds_ > (coarse ? kCoarseUntil : coarseFrom(pending_->form));
   }
+  if (pending_->form == SurfaceForm::Whole && pendingSeconds_ > kSlow) slow_ = true;
   lastSeconds_ = pendingSeconds_;
   // Only a picture of half the size is enlarged; pixel by pixel the nearest texel is exact and
   // cheap.
@@ -101,12 +121,14 @@ ImTextureID SceneView::picture(const AppState& state, int width, int height, flo
   width_ = std::max(1, width);
   height_ = std::max(1, height);
   const int samples = samplesFor(moving);
-  const int divisor = coarse_ && samples == 1 ? 2 : 1;
+  const SurfaceForm form = formFor(state, samples);
+  const int divisor = coarse(form) && samples == 1 ? 2 : 1;
   Shown wanted{settings(state, pixelScale / static_cast<float>(divisor)),
-               state.compare.showing() ? paneCamera(state, pane_) : state.view.camera,
+               shownCamera(state),
                std::max(1, width_ / divisor),
                std::max(1, height_ / divisor),
                samples,
+               form,
                content_};
   // Where pictures are slow, the mouse passing over the model must not cost one each time.
   if (smoothSeconds_ > kSmoothWhileMoving) wanted.settings.hoverFace = kNone;

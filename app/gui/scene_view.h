@@ -83,6 +83,7 @@ class SceneView : public SceneSource {
     RenderSettings settings;
     Camera camera;
     int width = 0, height = 0, samples = 0;
+    SurfaceForm form = SurfaceForm::Whole;
     std::uint64_t content = 0;
 
     bool operator==(const Shown&) const = default;
@@ -101,7 +102,11 @@ class SceneView : public SceneSource {
   void takeMarks(const AppState& state, const Results& results);
   void takeUnwrap(const Results& results);
   void takeDistortion(const Results& results);
+  void takeSimple(const AppState& state);
   int samplesFor(bool moving) const;
+  Camera shownCamera(const AppState& state) const;
+  SurfaceForm formFor(const AppState& state, int samples) const;
+  bool& coarse(SurfaceForm form) { return coarse_[form == SurfaceForm::Simple ? 1 : 0]; }
   void begin(const Shown& wanted);
 
   Renderer renderer_;
@@ -161,7 +166,20 @@ class SceneView : public SceneSource {
   std::shared_ptr<const Mesh> warmedFor_;  ///< whose shaders are translated
 
   double smoothSeconds_ = 0, lastSeconds_ = 0;
-  bool coarse_ = false;  ///< pictures in motion are drawn at half the size
+  bool coarse_[2] = {};  ///< pictures of each form in motion are drawn at half the size
+  bool slow_ = false;    ///< pictures of the whole surface are, of this mesh
+
+  /// Fewer triangles for pictures in motion, worked out by a thread of its own.
+  struct Simplified {
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const SurfaceDerived> derived;
+    std::shared_ptr<const UvLayout> layout;
+    std::shared_ptr<const SimpleSurface> surface;
+  };
+  std::future<Simplified> simplifying_;
+  /// What the one asked for last is made of.
+  std::shared_ptr<const SurfaceDerived> simpleOf_;
+  std::shared_ptr<const UvLayout> simpleLayout_;
 };
 
 }  // namespace chartflood

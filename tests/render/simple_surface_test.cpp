@@ -1,0 +1,97 @@
+// Fewer triangles in place of a mesh's: how many, where, and what stays apart.
+
+#include "render/simple_surface.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "core/gauss/sector_normals.h"
+#include "render/packed_normal.h"
+#include "tests/render/shapes.h"
+#include "tests/support/test_meshes.h"
+
+namespace chartflood {
+namespace {
+
+glm::dvec3 placeOf(const SurfaceVertices& list, std::size_t corner) {
+  const auto& place = list.vertices[list.indices[corner]].place;
+  return {place[0], place[1], place[2]};
+}
+
+TEST(PackedNormal, ComesBack) {
+  for (const glm::vec3& n : {glm::vec3(1, 0, 0), glm::vec3(0, -1, 0), glm::vec3(0.6f, 0, -0.8f),
+                             glm::vec3(-0.48f, 0.6f, 0.64f)}) {
+    EXPECT_LT(glm::length(unpackNormal(packNormal(n)) - n), 0.003f);
+  }
+}
+
+TEST(SimpleSurface, HasAboutAsManyTrianglesAsWantedInTheirPlaces) {
+  for (const char* sample : {"bumps", "torus", "rocket"}) {
+    const auto mesh = test::sampleMesh(sample, 60'000);
+    const auto normals = computeCornerNormals(*mesh, 45);
+    const auto simple = simpleSurface(*mesh, *surfaceVertices(*mesh, &normals), nullptr, 6000);
+    const SurfaceVertices& surface = simple->surface;
+    EXPECT_GT(simple->triangles.size(), 3000u) << sample;
+    EXPECT_LT(simple->triangles.size(), 9000u) << sample;
+    EXPECT_TRUE(surface.hasNormals);
+    EXPECT_TRUE(surface.texture.empty());
+    ASSERT_EQ(surface.indices.size(), 3 * simple->triangles.size());
+    const std::set<Index> stoodFor(simple->triangles.begin(), simple->triangles.end());
+    EXPECT_EQ(stoodFor.size(), simple->triangles.size());
+    for (std::size_t c = 0; c < surface.indices.size(); ++c) {
+      ASSERT_LT(surface.indices[c], surface.vertices.size());
+      const Index vertex = mesh->triangles()[simple->triangles[c / 3]][c % 3];
+      // No farther than across a cell.
+      ASSERT_LT(glm::length(placeOf(surface, c) - mesh->positions()[vertex]),
+                1.74 * simple->detail);
+    }
+  }
+}
+
+TEST(SimpleSurface, KeepsCreasesSharp) {
+  const auto cube = test::cube(60);
+  const auto normals = computeCornerNormals(*cube, 45);
+  const auto simple = simpleSurface(*cube, *surfaceVertices(*cube, &normals), nullptr, 1200);
+  ASSERT_FALSE(simple->empty());
+  for (std::size_t c = 0; c < simple->surface.indices.size(); ++c) {
+    const glm::vec3 normal =
+        unpackNormal(simple->surface.vertices[simple->surface.indices[c]].normal);
+    const Index t = simple->triangles[c / 3];
+    EXPECT_GT(glm::dot(normal, normals.normal[3 * t + c % 3]), 0.99f);
+  }
+}
+
+TEST(SimpleSurface, KeepsIslandsOfTheTextureApart) {
+  const auto plate = test::plate(80, 40);
+  std::vector<glm::vec2> uv;
+  for (Index t = 0; t < plate->triangleCount(); ++t) {
+    const float island = t / 2 % 80 < 40 ? 0 : 10;
+    for (const Index v : plate->triangles()[t]) {
+      uv.push_back(glm::vec2(plate->positions()[v]) + glm::vec2(island, 0));
+    }
+  }
+  const UvLayout layout = uvLayout(*plate, uv);
+  ASSERT_EQ(layout.firstTriangle.size(), 2u);
+  const auto simple = simpleSurface(*plate, *surfaceVertices(*plate, nullptr), &layout, 600);
+  ASSERT_FALSE(simple->empty());
+  ASSERT_EQ(simple->surface.texture.size(), simple->surface.vertices.size());
+  for (std::size_t c = 0; c < simple->surface.indices.size(); ++c) {
+    const Index t = simple->triangles[c / 3];
+    const glm::dvec2 expected = glm::dvec2(placeOf(simple->surface, c)) +
+                                glm::dvec2(t / 2 % 80 < 40 ? 0 : 10, 0);
+    const glm::dvec2 texture(simple->surface.texture[simple->surface.indices[c]]);
+    // Beside the seam the corners of one island are in the middle of their half of the cell.
+    EXPECT_LT(glm::length(texture - expected), simple->detail);
+  }
+}
+
+TEST(SimpleSurface, IsEmptyWithoutArea) {
+  const auto mesh = test::meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
+  EXPECT_TRUE(simpleSurface(*mesh, *surfaceVertices(*mesh, nullptr), nullptr, 100)->empty());
+}
+
+}  // namespace
+}  // namespace chartflood
