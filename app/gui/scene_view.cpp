@@ -14,14 +14,16 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kSlow = 0.045;         // pictures of the whole surface that want a simple one
-constexpr double kCoarseUntil = 0.012;  // quicker coarse ones get their full size back
-constexpr double kSimpleDetail = 8;     // pixels that the simple surface may leave out
+constexpr double kSlow = 0.045;      // pictures of the whole surface that want a simple one
+constexpr double kSimpleDetail = 8;  // pixels that the simple surface may leave out
 
-/// Slower plain pictures get half the size in motion. Those of the simple surface would gain little:
-/// pixels are not what they take long for.
-constexpr double coarseFrom(SurfaceForm form) {
-  return form == SurfaceForm::Simple ? 0.12 : kSlow;
+/// Slower plain pictures get half the size in motion, quicker ones of half the size the full one.
+struct CoarseLimits {
+  double from, until;  ///< seconds
+};
+constexpr CoarseLimits coarseLimits(SurfaceForm form) {
+  // Pixels are not what the simple surface takes long for.
+  return form == SurfaceForm::Simple ? CoarseLimits{0.12, 0.06} : CoarseLimits{kSlow, 0.012};
 }
 
 }  // namespace
@@ -98,7 +100,8 @@ bool SceneView::goOn() {
     smoothSeconds_ = pendingSeconds_;
   } else {
     bool& coarse = this->coarse(pending_->form);
-    coarse = pendingSeconds_ > (coarse ? kCoarseUntil : coarseFrom(pending_->form));
+    const CoarseLimits limits = coarseLimits(pending_->form);
+    coarse = pendingSeconds_ > (coarse ? limits.until : limits.from);
   }
   if (pending_->form == SurfaceForm::Whole && pendingSeconds_ > kSlow) slow_ = true;
   lastSeconds_ = pendingSeconds_;
