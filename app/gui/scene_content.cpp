@@ -14,7 +14,7 @@ namespace chartflood {
 namespace {
 
 constexpr std::size_t kFacesAtOnce = 30'000;  // of a flood's log taken in by one pass
-constexpr std::size_t kSimple = 120'000;      // triangles of the simple surface
+constexpr std::size_t kSimple = 60'000;       // triangles of the simple surface
 constexpr std::size_t kDense = 2 * kSimple;   // from which there is one
 
 template <class Value>

@@ -14,8 +14,8 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kSlow = 0.045;      // pictures of the whole surface that want a simple one
-constexpr double kSimpleDetail = 8;  // pixels that the simple surface may leave out
+constexpr double kSlow = 0.045;       // pictures of the whole surface that want a simple one
+constexpr double kSimpleDetail = 12;  // pixels that the simple surface may leave out
 
 /// Slower plain pictures get half the size in motion, quicker ones of half the size the full one.
 struct CoarseLimits {

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/rng.h"
 #include "core/gauss/sector_normals.h"
 #include "render/packed_normal.h"
 #include "tests/render/shapes.h"
@@ -62,6 +63,31 @@ TEST(SimpleSurface, KeepsCreasesSharp) {
     const Index t = simple->triangles[c / 3];
     EXPECT_GT(glm::dot(normal, normals.normal[3 * t + c % 3]), 0.99f);
   }
+}
+
+TEST(SimpleSurface, IsLitByNormalsThatFitItsTriangles) {
+  // Small folds: each vertex is moved along the surface as far as the next ones are.
+  const auto mesh = test::sampleMesh("bumps", 40'000);
+  InputMesh input = test::copyInput(*mesh);
+  Rng rng(1);
+  for (glm::dvec3& p : input.positions) {
+    for (int axis = 0; axis < 3; ++axis) {
+      p[axis] += 1e-5 * mesh->scale() * (rng.below(401) - 200.0);
+    }
+  }
+  const auto rough = test::rebuild(std::move(input));
+  const auto normals = computeCornerNormals(*rough, 45);
+  const auto simple = simpleSurface(*rough, *surfaceVertices(*rough, &normals), nullptr, 4000);
+  const SurfaceVertices& surface = simple->surface;
+  std::size_t against = 0;
+  for (std::size_t c = 0; c < surface.indices.size(); ++c) {
+    const std::size_t t = c / 3 * 3;
+    const glm::dvec3 plane = glm::cross(placeOf(surface, t + 1) - placeOf(surface, t),
+                                        placeOf(surface, t + 2) - placeOf(surface, t));
+    const glm::dvec3 normal(unpackNormal(surface.vertices[surface.indices[c]].normal));
+    if (glm::dot(plane, normal) < 0) ++against;
+  }
+  EXPECT_LT(static_cast<double>(against), 0.002 * static_cast<double>(surface.indices.size()));
 }
 
 TEST(SimpleSurface, KeepsIslandsOfTheTextureApart) {
