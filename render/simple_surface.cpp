@@ -19,7 +19,7 @@ namespace chartflood {
 namespace {
 
 constexpr double kSmallestCell = 1e-6;  // 21 bits count them along the box, whose diagonal is 1
-constexpr float kSameSide = 0.25f;  // cosine between normals up to which corners are one
+constexpr float kSameSide = 0.25f;      // cosine between normals up to which corners are one
 
 glm::dvec3 placeOf(const SurfaceVertices::Vertex& vertex) {
   return {vertex.place[0], vertex.place[1], vertex.place[2]};

@@ -255,8 +255,8 @@ void SceneView::takeSimple(const AppState& state) {
   if (renderer_.hasSimpleSurface() && state.changing()) return;
   simpleOf_ = derived_;
   simpleLayout_ = layout;
-  simplifying_ = std::async(
-      std::launch::async, [mesh = mesh_, derived = derived_, layout, wake = wake_] {
+  simplifying_ =
+      std::async(std::launch::async, [mesh = mesh_, derived = derived_, layout, wake = wake_] {
         Simplified done{mesh, derived, layout,
                         simpleSurface(*mesh, *derived->vertices, layout.get(), kSimple)};
         wake();

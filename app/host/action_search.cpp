@@ -212,6 +212,7 @@ std::vector<FoundAction> searchActions(const ActionRegistry& actions, const AppS
   std::stable_sort(scored.begin(), scored.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<FoundAction> result;
+  result.reserve(scored.size());
   for (auto& [score, found] : scored) result.push_back(std::move(found));
   return result;
 }

@@ -86,6 +86,7 @@ void addRunActions(ActionRegistry& registry) {
                 }});
   registry.bind("Alt+Right", "step-chart");
   std::vector<std::string> sizes;
+  sizes.reserve(std::size(kManyFaces));
   for (const ManyFaces many : kManyFaces) sizes.emplace_back(manyFacesId(many));
   registry.add({.id = "many",
                 .title = "Triangles of a large step",

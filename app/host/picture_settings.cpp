@@ -40,7 +40,7 @@ Row switchRow(const char* key, bool PictureSettings::*member) {
 }
 
 Row choiceRow(const char* key, std::string PictureSettings::*member,
-              std::vector<std::string> choices) {
+              const std::vector<std::string>& choices) {
   return {key, [=](const PictureSettings& s) { return s.*member; },
           [=](PictureSettings& s, std::string_view text) {
             if (std::find(choices.begin(), choices.end(), text) == choices.end()) {
@@ -83,6 +83,7 @@ Row textRow(const char* key, std::string PictureSettings::*member) {
 
 std::vector<Row> makeRows() {
   std::vector<std::string> sizes;
+  sizes.reserve(std::size(kSizes));
   for (const PictureSizeChoice& each : kSizes) sizes.push_back(each.id);
   using S = PictureSettings;
   return {choiceRow("view", &S::view, {"3d", "uv", "both", "ab", "window"}),

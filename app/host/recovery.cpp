@@ -70,6 +70,7 @@ std::vector<std::filesystem::path> leftCopies(const std::filesystem::path& folde
   }
   std::sort(found.begin(), found.end(), std::greater<>());
   std::vector<std::filesystem::path> copies;
+  copies.reserve(found.size());
   for (Dated& each : found) copies.push_back(std::move(each.second));
   return copies;
 }

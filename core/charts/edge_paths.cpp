@@ -62,7 +62,7 @@ Index EdgeDistances::next() {
   while (!queue_.empty()) {
     const auto [reached, vertex] = queue_.pop();
     if (reached > distance_[vertex]) continue;
-    forEachEdge(surface_, firstSide_[vertex], [&](Index side, Index end) {
+    const auto visit = [&, reached = reached, vertex = vertex](Index side, Index end) {
       const auto [a, b] = forbidden_;
       if ((vertex == a && end == b) || (vertex == b && end == a)) return;
       const double way = reached + sideLength(surface_, side);
@@ -70,7 +70,8 @@ Index EdgeDistances::next() {
       distance_[end] = way;
       side_[end] = side;
       queue_.push(way, end);
-    });
+    };
+    forEachEdge(surface_, firstSide_[vertex], visit);
     return vertex;
   }
   return kNone;

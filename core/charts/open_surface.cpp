@@ -66,6 +66,7 @@ void OpenSurface::open(std::span<const Index> sides) {
 void OpenSurface::renumberFans(std::vector<Index>& corners) {
   std::sort(corners.begin(), corners.end());
   std::vector<Index> old;
+  old.reserve(corners.size());
   for (const Index side : corners) old.push_back(surface_.sideStart(side));
   std::vector<Index> kept;
   ++mark_;

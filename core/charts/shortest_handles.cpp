@@ -94,7 +94,7 @@ void ShortestHandles::grow(Index base, double limit) {
     if (2 * reached >= std::min(found_, limit)) break;
     settled_[vertex] = search_;
     order_.push_back(vertex);
-    forEachEdge(surface_.surface(), surface_.firstSide(vertex), [&](Index side, Index end) {
+    const auto visit = [&, reached = reached, vertex = vertex](Index side, Index end) {
       const double way = reached + surface_.wayLength(side);
       const std::uint64_t word = word_[vertex] ^ labels_.of(side);
       if (stamp_[end] != search_ || (settled_[end] != search_ && way < distance_[end])) {
@@ -107,7 +107,8 @@ void ShortestHandles::grow(Index base, double limit) {
         found_ = way + distance_[end];
         foundSide_ = side;
       }
-    });
+    };
+    forEachEdge(surface_.surface(), surface_.firstSide(vertex), visit);
   }
 }
 
@@ -234,13 +235,14 @@ void ShortestHandles::lowerBoundsNear(const std::vector<Index>& vertices) {
       bases_.push(bound_[vertex], vertex);
     }
     if (2 * reached > highest) continue;
-    forEachEdge(surface_.surface(), surface_.firstSide(vertex), [&](Index side, Index end) {
+    const auto visit = [&, reached = reached](Index side, Index end) {
       const double way = reached + surface_.wayLength(side);
       if (stamp_[end] == search_ && !(way < distance_[end])) return;
       stamp_[end] = search_;
       distance_[end] = way;
       queue_.push(way, end);
-    });
+    };
+    forEachEdge(surface_.surface(), surface_.firstSide(vertex), visit);
   }
 }
 

@@ -90,7 +90,8 @@ class ChartCenter {
   /// how often one fell. Returns the lowest of the farthest faces: they are due in the last turn.
   Farthest relaxChart(const std::vector<Index>& sources, std::uint64_t& relaxed) {
     thread_local Turns turns;
-    auto& [ring, batch, done] = turns;
+    auto& ring = turns.ring;
+    std::vector<Index>&batch = turns.batch, &done = turns.done;
     std::size_t turnOfDone = 0;
     done.clear();
     std::size_t waiting = sources.size();

@@ -36,7 +36,8 @@ std::vector<Placement> gridLayout(std::span<const ChartOutline> outlines, const 
   for (std::size_t i = 0; i < squares.size(); ++i) {
     const double side = oneScale ? largest : squares[i].side;
     const double scale = side > 0 ? cell * kWithin / side : 1;
-    const double column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
+    const std::size_t inColumn = i % columns, inRow = i / columns;
+    const auto column = static_cast<double>(inColumn), row = static_cast<double>(inRow);
     const glm::dvec2 middle(gaps.border + column * (cell + gaps.between) + cell / 2,
                             1 - (gaps.border + row * (cell + gaps.between) + cell / 2));
     placement.push_back({squares[i].angle, scale, middle - scale * squares[i].center});

@@ -23,7 +23,8 @@ PackGaps gapsOf(const LayoutOptions& options) {
   constexpr double kInside = 1e-6;
   if (options.margin == 0) return {kInside, kInside};
   const double pixel = 1.0 / options.textureSize;
-  return {(options.margin + 1 + kInside) * pixel, ((options.margin + 1) / 2 + kInside) * pixel};
+  const int half = (options.margin + 1) / 2;
+  return {(options.margin + 1 + kInside) * pixel, (half + kInside) * pixel};
 }
 
 void checkOptions(const LayoutOptions& options) {

@@ -157,6 +157,7 @@ class Search {
     }
     std::sort(keys.begin(), keys.end());
     std::vector<Index> order;
+    order.reserve(keys.size());
     for (const auto& [key, i] : keys) order.push_back(i);
     return order;
   }
@@ -265,6 +266,7 @@ std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const P
   }
   std::stable_sort(chains.begin(), chains.end(), denser);
   std::vector<PackLayout> layouts;
+  layouts.reserve(chains.size());
   for (Squeezed& chain : chains) layouts.push_back(std::move(chain.layout));
   return layouts;
 }

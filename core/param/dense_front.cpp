@@ -158,9 +158,9 @@ void updatePlain(const DenseFront& f, const Update& u) { updateAny(f, u); }
 // Wider registers give the same sums: products are not fused with them.
 #ifdef __x86_64__
 [[gnu::target("avx2")]] void updateWide(const DenseFront& f, const Update& u) { updateAny(f, u); }
-const auto update = __builtin_cpu_supports("avx2") != 0 ? updateWide : updatePlain;
+const auto kUpdate = __builtin_cpu_supports("avx2") != 0 ? updateWide : updatePlain;
 #else
-const auto update = updatePlain;
+const auto kUpdate = updatePlain;
 #endif
 
 #undef CF_INLINE
@@ -202,9 +202,9 @@ bool eliminate(const DenseFront& front, std::size_t columns, double* inverse) {
       for (std::size_t j = block; j < end; ++j) {
         if (!eliminateColumn(front, block, j, inverse)) return false;
       }
-      update(front, {block, end, end, panelEnd});
+      kUpdate(front, {block, end, end, panelEnd});
     }
-    update(front, {panel, panelEnd, panelEnd, front.size});
+    kUpdate(front, {panel, panelEnd, panelEnd, front.size});
   }
   return true;
 }

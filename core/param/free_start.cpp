@@ -46,7 +46,8 @@ std::vector<double> sideWeights(const RestShape& rest) {
 
 std::vector<glm::dvec2> conformalMap(const ChartShape& shape) {
   const ChartSurface& s = shape.surface;
-  const auto [pinA, pinB] = farBoundaryPair(shape);
+  const auto pins = farBoundaryPair(shape);
+  const Index pinA = pins.first, pinB = pins.second;
   std::vector<glm::dvec2> x(shape.rest.vertexCount(), glm::dvec2(0));
   const glm::dvec2 at(1, 0);  // of pinA; pinB stays at the origin
   SparseLdl<Complex> system(shape.pattern);

@@ -32,14 +32,14 @@ void subtract(Complex& x, double re, double im, const Complex& y) {
 }  // namespace
 
 template <>
-struct SparseLdl<double>::Kind {
+struct LdlKind<double> {
   using Unknown = glm::dvec2;
   static constexpr std::size_t kRows = 1, kParts = 1;
   static Unknown get(const glm::dvec2& v, std::size_t) { return v; }
   static void put(glm::dvec2& v, std::size_t, const Unknown& x) { v = x; }
 };
 template <>
-struct SparseLdl<Complex>::Kind {
+struct LdlKind<Complex> {
   using Unknown = Complex;
   static constexpr std::size_t kRows = 1, kParts = 2;
   static Unknown get(const glm::dvec2& v, std::size_t) { return {v.x, v.y}; }
@@ -47,7 +47,7 @@ struct SparseLdl<Complex>::Kind {
 };
 /// Two rows of real numbers a vertex.
 template <>
-struct SparseLdl<glm::dmat2>::Kind {
+struct LdlKind<glm::dmat2> {
   using Unknown = double;
   static constexpr std::size_t kRows = 2, kParts = 1;
   static Unknown get(const glm::dvec2& v, std::size_t row) { return row == 0 ? v.x : v.y; }

@@ -19,6 +19,10 @@
 
 namespace chartflood {
 
+/// How an entry and an unknown are made of numbers.
+template <class Entry>
+struct LdlKind;
+
 /// A symmetric (or Hermitian) positive definite matrix with a row for each vertex and an entry for
 /// each side, and its factorisation: supernodes are eliminated one by one as dense fronts, and what
 /// each leaves to the columns after it waits on a stack (Duff and Reid 1983, "The multifrontal
@@ -48,7 +52,7 @@ class SparseLdl {
   void solve(std::span<glm::dvec2> x);
 
  private:
-  struct Kind;  ///< how an entry and an unknown are made of numbers
+  using Kind = LdlKind<Entry>;
 
   void assemble(Index supernode);
   void takeChild(Index child);

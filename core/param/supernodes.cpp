@@ -53,6 +53,7 @@ std::vector<Index> firstColumns(const EliminationTree& tree) {
     }
   }
   std::vector<Index> first;
+  first.reserve(runs.size() + 1);
   for (const Run& run : runs) first.push_back(run.first);
   first.push_back(size);
   return first;

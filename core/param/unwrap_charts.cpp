@@ -37,7 +37,7 @@ void storeTriangles(const ChartSurface& surface, std::span<const TriangleDistort
 
 }  // namespace
 
-UnwrapResult unwrapCharts(const Mesh& mesh, std::shared_ptr<const ChartSet> charts,
+UnwrapResult unwrapCharts(const Mesh& mesh, const std::shared_ptr<const ChartSet>& charts,
                           const UnwrapOptions& options, Progress& progress) {
   CF_CHECK(charts != nullptr);
   progress.beginPhase("Unwrapping");

@@ -29,7 +29,7 @@ struct UnwrapResult {
 /// Lays flat every chart that is a disk; others say why not in ChartUv::problem. The charts are
 /// independent of each other and shared out over the threads; results do not depend on their
 /// number. \return nothing in both members when cancelled
-UnwrapResult unwrapCharts(const Mesh& mesh, std::shared_ptr<const ChartSet> charts,
+UnwrapResult unwrapCharts(const Mesh& mesh, const std::shared_ptr<const ChartSet>& charts,
                           const UnwrapOptions& options, Progress& progress);
 
 }  // namespace chartflood

@@ -8,6 +8,7 @@ namespace {
 
 std::vector<Index> inputFaces(const Mesh& mesh, const std::vector<Index>& faces) {
   std::vector<Index> result;
+  result.reserve(faces.size());
   for (const Index face : faces) result.push_back(mesh.inputFace(face));
   return result;
 }

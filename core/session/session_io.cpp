@@ -208,7 +208,7 @@ std::filesystem::path findModel(const ModelPlaces& places, const std::filesystem
     throw ReadError(session.string(), "it does not say which model it belongs to");
   }
   std::error_code error;
-  const auto beside = (session.parent_path() / relative).lexically_normal();
+  std::filesystem::path beside = (session.parent_path() / relative).lexically_normal();
   if (!relative.empty() && std::filesystem::exists(beside, error)) {
     return beside;
   }

@@ -106,8 +106,8 @@ TEST(SimpleSurface, KeepsIslandsOfTheTextureApart) {
   ASSERT_EQ(simple->surface.texture.size(), simple->surface.vertices.size());
   for (std::size_t c = 0; c < simple->surface.indices.size(); ++c) {
     const Index t = simple->triangles[c / 3];
-    const glm::dvec2 expected = glm::dvec2(placeOf(simple->surface, c)) +
-                                glm::dvec2(t / 2 % 80 < 40 ? 0 : 10, 0);
+    const glm::dvec2 expected =
+        glm::dvec2(placeOf(simple->surface, c)) + glm::dvec2(t / 2 % 80 < 40 ? 0 : 10, 0);
     const glm::dvec2 texture(simple->surface.texture[simple->surface.indices[c]]);
     // Beside the seam the corners of one island are in the middle of their half of the cell.
     EXPECT_LT(glm::length(texture - expected), simple->detail);

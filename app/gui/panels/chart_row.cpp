@@ -25,7 +25,7 @@ void swapEntries(const Ui& ui, Index chart) {
                                               chartColor(ui, other), ui.px(2));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + side + ui.px(8));
     const std::string with = std::to_string(other);
-    actionMenuItem(ui, "swap-colors " + number + " " + with, "Chart " + with);
+    actionMenuItem(ui, ("swap-colors " + number + " ").append(with), "Chart " + with);
     if (ImGui::IsItemHovered()) ui.pointAt(other);
   }
   if (partners.empty()) {
