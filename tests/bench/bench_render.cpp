@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "render/gl/framebuffer.h"
 #include "render/gl/offscreen_context.h"
 #include "render/renderer.h"
+#include "render/simple_surface.h"
 
 namespace chartflood {
 namespace {
@@ -121,6 +123,42 @@ void frame(benchmark::State& state) {
 BENCHMARK(frame)
     ->ArgNames({"triangles", "samples", "look"})
     ->ArgsProduct({{150'000, 1'000'000}, {1, 4}, {0, 1, 2, 3, 4, 5}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+/// Fewer triangles made, then a picture of them in a view of the window without smoothing.
+void simpleFrame(benchmark::State& state) {
+  const auto context = gl::createOffscreenContext();
+  const gl::CurrentScope current(*context);
+  const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
+  const CornerNormals normals = torusNormals(*mesh);
+  const auto vertices = surfaceVertices(*mesh, &normals);
+  Renderer renderer;
+  renderer.setMesh(mesh, &normals);
+  const auto start = std::chrono::steady_clock::now();
+  renderer.setSimpleSurface(
+      *simpleSurface(*mesh, *vertices, nullptr, static_cast<std::size_t>(state.range(1))));
+  state.counters["made_ms"] =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  Camera camera;
+  camera.look(StandardView::Oblique);
+  camera.frame(mesh->positions(), 0.92);
+  const gl::Framebuffer target(580, 629, 1);
+  const auto draw = [&] {
+    renderer.beginDrawing(target, camera, {}, PicturePart::whole(580, 629), SurfaceForm::Simple);
+    renderer.continueDrawing(std::numeric_limits<double>::infinity());
+    glFinish();
+  };
+  draw();  // compiles the shaders
+  for (auto _ : state) {
+    camera.orbit(0.01, 0);
+    draw();
+  }
+}
+BENCHMARK(simpleFrame)
+    ->ArgNames({"triangles", "wanted"})
+    ->ArgsProduct({{150'000, 1'000'000}, {30'000, 60'000, 120'000}})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
