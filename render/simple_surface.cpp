@@ -62,6 +62,7 @@ struct Cell {
   Index newest = kNone;  ///< group
   glm::dvec3 place{0};   ///< sum over its corners
   double count = 0;
+  bool kept = false;  ///< a triangle stays there
 };
 
 class Clustering {
@@ -94,6 +95,9 @@ class Clustering {
     return at;
   }
   Index cellOf(Index group) const { return groups_[group].cell; }
+  void keep(Index cell) { cells_[cell].kept = true; }
+  /// True when nothing would be left where the corner is.
+  bool vanishes(std::size_t corner) const { return !cells_[cellOf_[list_.indices[corner]]].kept; }
 
   /// For the corners of a triangle that stays: groups of their cells and islands whose normals fit
   /// the triangle as it lies now (those of single corners, such as of small folds, seldom do), in
@@ -147,6 +151,12 @@ class Clustering {
       if (layout_) surface.texture.push_back(glm::vec3(group.texture / group.count));
     }
   }
+  /// The corner as it is in the mesh, as a vertex of its own.
+  void append(std::size_t corner, SurfaceVertices& surface) const {
+    surface.indices.push_back(static_cast<Index>(surface.vertices.size()));
+    surface.vertices.push_back(list_.vertices[list_.indices[corner]]);
+    if (layout_) surface.texture.push_back(layout_->corners[corner]);
+  }
 
  private:
   bool sameSide(const glm::vec3& a, const glm::vec3& b) const {
@@ -181,6 +191,7 @@ std::shared_ptr<const SimpleSurface> simpleSurface(const Mesh& mesh,
       cells[i] = clusters.cellOf(groups[i]);
     }
     if (cells[0] == cells[1] || cells[1] == cells[2] || cells[2] == cells[0]) continue;
+    for (const Index cell : cells) clusters.keep(cell);
     indices.insert(indices.end(), groups.begin(), groups.end());
     simple->triangles.push_back(static_cast<Index>(t));
   }
@@ -189,6 +200,15 @@ std::shared_ptr<const SimpleSurface> simpleSurface(const Mesh& mesh,
     std::copy(fitting.begin(), fitting.end(), indices.begin() + static_cast<std::ptrdiff_t>(c));
   }
   clusters.fill(simple->surface);
+  // Wires and crumbs thinner than a cell stay as they are.
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto vanishes = [&](std::size_t i) { return clusters.vanishes(3 * t + i); };
+    if (!vanishes(0) && !vanishes(1) && !vanishes(2)) continue;
+    for (std::size_t i = 0; i < 3; ++i) clusters.append(3 * t + i, simple->surface);
+    simple->triangles.push_back(static_cast<Index>(t));
+  }
+  // Little is won where most is thin.
+  if (2 * simple->triangles.size() > mesh.triangleCount()) return std::make_shared<SimpleSurface>();
   return simple;
 }
 

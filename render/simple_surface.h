@@ -22,10 +22,12 @@ struct SimpleSurface {
 
 /// Vertices in one cell of a grid become one, in the middle of all (vertex clustering: Rossignac
 /// and Borrel, 1993); triangles whose corners are in three cells stay. Corners of different islands
-/// of the texture, or with normals far from each other, stay apart in the same place.
+/// of the texture, or with normals far from each other, stay apart in the same place. What is
+/// thinner than a cell and would vanish stays as it is.
 /// \param vertices of the mesh, without texture places
 /// \param layout of the texture; may be null
-/// \param wanted number of triangles; about so many are left, no more than the mesh has
+/// \param wanted number of triangles; about so many are left, and what is thin. Empty when that is
+/// more than half of the mesh
 /// Cost: linear.
 std::shared_ptr<const SimpleSurface> simpleSurface(const Mesh& mesh,
                                                    const SurfaceVertices& vertices,

@@ -114,6 +114,30 @@ TEST(SimpleSurface, KeepsIslandsOfTheTextureApart) {
   }
 }
 
+TEST(SimpleSurface, KeepsWhatIsThinnerThanACell) {
+  // A plate of two triangles a square, and beside it a strip of a thousandth of its width.
+  InputMesh input = test::copyInput(*test::plate(80, 40));
+  const auto first = static_cast<Index>(input.positions.size());
+  const std::size_t plate = input.corners.size() / 3;
+  for (Index i = 0; i <= 200; ++i) {
+    input.positions.emplace_back(0.4 * i, 50, 0);
+    input.positions.emplace_back(0.4 * i, 50.04, 0);
+  }
+  for (Index i = 0; i < 200; ++i) {
+    const Index a = first + 2 * i;
+    for (const Index corner : {a, a + 2, a + 3, a, a + 3, a + 1}) input.corners.push_back(corner);
+  }
+  const auto mesh = test::rebuild(std::move(input));
+  ASSERT_EQ(mesh->triangleCount(), plate + 400);
+  const auto simple = simpleSurface(*mesh, *surfaceVertices(*mesh, nullptr), nullptr, 600);
+  std::size_t ofStrip = 0;
+  for (const Index t : simple->triangles) ofStrip += t >= plate ? 1 : 0;
+  EXPECT_EQ(ofStrip, 400u);
+  EXPECT_GT(simple->triangles.size(), 700u);
+  // With cells larger than all of it, the whole would stay: that is no simple surface.
+  EXPECT_TRUE(simpleSurface(*mesh, *surfaceVertices(*mesh, nullptr), nullptr, 1)->empty());
+}
+
 TEST(SimpleSurface, IsEmptyWithoutArea) {
   const auto mesh = test::meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
   EXPECT_TRUE(simpleSurface(*mesh, *surfaceVertices(*mesh, nullptr), nullptr, 100)->empty());
