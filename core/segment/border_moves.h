@@ -15,8 +15,12 @@ namespace chartflood {
 
 /// Lowers the energy
 ///
-///   sum over seam edges of length * (crease ? 0.3 : 1) / mean edge length
-///     + mu sqrt(F / 70000) K sum_i ((B_i - mean) / mean)^2,   B_i = A(i) + eta * area(i).
+///   sum over seam edges of length * (crease ? 0.3 : 1) / unit
+///     + W * mean_i ((B_i - mean) / mean)^2,   B_i = A(i) + eta * area(i),
+///
+/// as a clean-up: the unit is the mean edge length and W = 400 mu sqrt(F / 70000); or as the seam
+/// cuts do: the unit is sqrt(area) and W their w. In both the price does not grow with the number
+/// of charts: where it does, many charts have their borders shattered for a little more balance.
 ///
 /// A face moves from chart a to chart b when its sides form one run against a and one against b,
 /// all other faces around every vertex inside a run belong to that run's chart, and these vertices
@@ -25,10 +29,13 @@ namespace chartflood {
 class BorderMoves {
  public:
   struct Options {
-    double weight = 1000;       ///< mu: how much balance counts against short seams
+    double weight = 1000;       ///< how much balance counts against short seams: mu, or w
+    bool likeCuts = false;      ///< the energy of SeamCuts, its w
     double creaseFactor = 0.3;  ///< length of a crease against a smooth edge's
     double eta = 0;             ///< steradians a squared normalised unit of surface counts as
     std::span<const double> sideFactor = {};  ///< of hints, on the length of each side; empty: 1
+    /// What all seams together may grow by, as a share of their length at first; below 0: anything.
+    double mostLonger = -1;
     std::size_t maxSweeps = 50;
   };
 
@@ -44,8 +51,12 @@ class BorderMoves {
 
   std::span<const Index> labels() const { return label_; }
   std::size_t moves() const { return moves_; }
+  /// First part of the energy, of the present labels.
+  double seamLength() const;
+  /// Standard deviation of the charts' B over their mean; 0 where they have none.
+  double deviation() const;
   /// The energy above, for tests.
-  double energy() const;
+  double energy() const { return seamLength() + balanceEnergy(sum_, squares_); }
 
  private:
   struct Tables;
@@ -63,7 +74,8 @@ class BorderMoves {
   std::vector<bool> fixed_;
   std::vector<double> value_;     ///< B of each chart
   double sum_ = 0, squares_ = 0;  ///< of value_
-  double weight_ = 0;
+  double weight_ = 0;  ///< W over the number of charts
+  double longer_ = 0, mostLonger_ = 0;  ///< growth of the seams so far, and at most
   std::size_t sweepsLeft_ = 0;
   std::size_t moves_ = 0;
   std::size_t position_ = 0;  ///< next face of the sweep under way

@@ -1,17 +1,24 @@
 #include "core/segment/border_refiner.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
-
-#include "core/segment/balance.h"
-#include "core/segment/chart_areas.h"
 
 namespace chartflood {
 
 namespace {
 
-/// Coefficient of variation from which single faces even out what the cuts left.
-constexpr double kUneven = 0.02;
+/// What seams may grow by, as a share, when single faces even out what the cuts left.
+constexpr double kMostLonger = 0.03;
+
+/// Coefficient of variation from which single faces are worth trying after the cuts. No charts are
+/// more even than the size of a face, nor than their weight asks: at a deviation of sqrt(K) / (2 w)
+/// a chart pulls at its border no harder than the border's own tension does.
+double unevenFrom(std::size_t faces, std::size_t charts, double weight) {
+  const double count = static_cast<double>(charts);
+  return std::max({0.02, count / static_cast<double>(faces), std::sqrt(count) / weight});
+}
 
 /// Adds the differences between two sets of labels, pair by pair of charts.
 void addDifference(SeamRecord& record, std::span<const Index> before,
@@ -54,16 +61,27 @@ BorderRefiner::BorderRefiner(const SegmentInputs& inputs, std::span<const double
   }
 }
 
-bool BorderRefiner::balanced() const {
-  const ChartAreas areas = chartAreas(*in_.mesh, *in_.gaussArea, faceGauss_, label_, charts_);
-  return balanceOf(areas.gaussArea).stdOverMean() <= kUneven;
-}
-
 void BorderRefiner::beginMoves() {
   BorderMoves::Options moves{.weight = options_.cleanUp, .eta = in_.floodGraph->eta};
+  if (cuts_) {
+    moves.weight = options_.balanceWeight;
+    moves.likeCuts = true;
+    moves.creaseFactor = options_.creaseWeight;
+    moves.mostLonger = kMostLonger;
+  }
   if (options_.sideFactor) moves.sideFactor = *options_.sideFactor;
-  moves_ = std::make_unique<BorderMoves>(*in_.mesh, *in_.gaussArea, faceGauss_, std::move(label_),
-                                         charts_, seeds_, moves);
+  moves_ = std::make_unique<BorderMoves>(*in_.mesh, *in_.gaussArea, faceGauss_, label_, charts_,
+                                         seeds_, moves);
+}
+
+/// Single faces even out what the cuts left, by the energy of the cuts, where there is much. The
+/// cuts' seams stay but for a few per cent of length.
+void BorderRefiner::evenOutAfterCuts() {
+  // One-sided balance lets charts be as small as their creases make them.
+  if (options_.oneSided || !(options_.balanceWeight > 0)) return;
+  beginMoves();
+  const double uneven = unevenFrom(in_.mesh->faceCount(), charts_, options_.balanceWeight);
+  if (moves_->deviation() <= uneven) moves_.reset();
 }
 
 bool BorderRefiner::run(Progress& progress) {
@@ -72,8 +90,7 @@ bool BorderRefiner::run(Progress& progress) {
     progress.beginPhase("Shortening seams");
     if (!cuts_->run(progress)) return false;
     label_.assign(cuts_->labels().begin(), cuts_->labels().end());
-    // One-sided balance lets charts be as small as their creases make them.
-    if (!options_.oneSided && options_.balanceWeight > 0 && !balanced()) beginMoves();
+    evenOutAfterCuts();
   }
   if (moves_) {
     progress.beginPhase("Tidying borders");

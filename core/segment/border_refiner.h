@@ -14,7 +14,7 @@
 namespace chartflood {
 
 /// Refines labels as `RefineOptions` ask: by seam cuts, after which single faces even out what is
-/// left of the imbalance; by single faces alone; or not at all.
+/// left of the imbalance, where that costs little length; by single faces alone; or not at all.
 class BorderRefiner {
  public:
   /// \param seeds faces that keep their chart; one a chart, or none at all
@@ -31,8 +31,8 @@ class BorderRefiner {
   std::shared_ptr<const SeamRecord> record() const { return record_; }
 
  private:
-  bool balanced() const;
   void beginMoves();
+  void evenOutAfterCuts();
   void finishRecord();
 
   SegmentInputs in_;

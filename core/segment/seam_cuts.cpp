@@ -39,8 +39,7 @@ class SeamCuts::Engine {
       : mesh_(mesh), options_(options), charts_(charts), fixed_(fixed.begin(), fixed.end()),
         tables_(makeSeamTables(mesh, gauss, faceGauss, options.creaseWeight, options.eta,
                                options.sideFactor)),
-        label_(std::move(label)),
-        stages_(seamSchedule(mesh.faceCount(), charts, options.clusters, options.anneal)) {
+        label_(std::move(label)), stages_(stagesFor(options)) {
     record_.start = label_;
     whole_ = gauss.total() + options.eta * mesh.surfaceArea();
     startEnergy_ = energy();
@@ -67,7 +66,7 @@ class SeamCuts::Engine {
       if (seam) length += tables_.sideLength[s];
     }
     const SeamLevel level = buildSeamLevel(mesh_, tables_, label_, charts_);  // charts as nodes
-    SeamBalance balance = emptyBalance(1);
+    SeamBalance balance = emptyBalance(options_.weight);
     for (const double value : level.value) balance.add(value);
     return length * unit() + balance.energy();
   }
@@ -75,9 +74,21 @@ class SeamCuts::Engine {
  private:
   double unit() const { return mesh_.surfaceArea() > 0 ? 1 / std::sqrt(mesh_.surfaceArea()) : 1; }
 
-  SeamBalance emptyBalance(double factor) const {
+  /// One-sided balance holds no charts that are to be more even or less: it has no common way.
+  std::vector<SeamStage> stagesFor(const Options& options) const {
+    const std::size_t faces = mesh_.faceCount();
+    if (options.anneal && !options.oneSided) {
+      return seamScheduleTo(options.weight, faces, charts_, options.clusters);
+    }
+    std::vector<SeamStage> stages =
+        seamSchedule(faces, charts_, options.clusters, options.anneal);
+    for (SeamStage& stage : stages) stage.weight *= options.weight;
+    return stages;
+  }
+
+  SeamBalance emptyBalance(double weight) const {
     SeamBalance balance;
-    balance.weight = options_.weight * factor;
+    balance.weight = weight;
     balance.charts = static_cast<double>(charts_);
     if (options_.oneSided) balance.share = std::max(1e-12, whole_ / balance.charts);
     return balance;
@@ -190,7 +201,9 @@ class SeamCuts::Engine {
     record_.steps.clear();
     record_.faces.clear();
     if (std::exchange(fellBack_, true)) return;
-    stages_ = seamSchedule(mesh_.faceCount(), charts_, false, false);
+    Options last = options_;
+    last.clusters = last.anneal = false;
+    stages_ = stagesFor(last);
     stage_ = static_cast<std::size_t>(-1);  // the loop goes on with the first
   }
 

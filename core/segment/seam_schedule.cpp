@@ -9,6 +9,9 @@ namespace {
 constexpr std::size_t kLastSweeps = 10;  // those are cheap: few pairs still change
 /// From this many faces on time counts more than the last percent.
 constexpr std::size_t kManyFaces = 400000;
+/// Weight that all ways lead through: the one that charts end well balanced with.
+constexpr double kCommonWeight = 1000;
+constexpr double kStep = 10;  ///< between weights on the way from there
 
 }  // namespace
 
@@ -36,6 +39,27 @@ std::vector<SeamStage> seamSchedule(std::size_t faces, std::size_t charts, bool 
   } else {
     stages.push_back({1, 0.5, 1, clusters ? 3 : SeamStage{}.sweeps});
     stages.push_back({1, many ? 0.125 : 0.25, 1, clusters ? kLastSweeps : SeamStage{}.sweeps});
+  }
+  return stages;
+}
+
+std::vector<SeamStage> seamScheduleTo(double weight, std::size_t faces, std::size_t charts,
+                                      bool clusters) {
+  std::vector<SeamStage> stages = seamSchedule(faces, charts, clusters, true);
+  for (SeamStage& stage : stages) stage.weight *= kCommonWeight;
+  const bool many = faces > kManyFaces;
+  const double last = stages.back().band;
+  for (double w = kCommonWeight; w < weight;) {
+    w = std::min(w * kStep, weight);
+    stages.push_back({w, last / 2, 1, kLastSweeps});
+  }
+  for (double w = kCommonWeight; w > weight;) {
+    // With little weight charts change their sizes much: wide bands, and no step below 1.
+    w = w / kStep < 1 ? weight : std::max(w / kStep, weight);
+    const double wide = w < kCommonWeight / kStep ? 2 : 1;
+    const std::size_t size = many && clusters ? 8 : 1;
+    stages.push_back({w, wide, size});
+    stages.push_back({w, many ? last : wide / 3, 1});
   }
   return stages;
 }

@@ -61,8 +61,8 @@ std::vector<ParameterInfo> borderRows() {
        .format = "%.0f",
        .stage = Stage::Refine,
        .group = "Borders",
-       .help = "For tidied borders, and shortest ones that came out uneven. Small: straightest. "
-               "Large: most even. 0: only their length counts.",
+       .help = "For tidied borders. Small: straightest. Large: most even. 0: only their length "
+               "counts.",
        .source = "",
        .method = "t-flooding"},
   };

@@ -149,7 +149,7 @@ std::string whyUnused(const Parameters& values, const ParameterInfo& info) {
   }
   const bool ofCuts = id == "balance-weight" || id == "crease-weight";
   if (ofCuts && values.refine != "cuts") return "Only for shortest borders.";
-  if (id == "clean-up" && values.refine == "none") return "Borders stay as flooded.";
+  if (id == "clean-up" && values.refine != "moves") return "Only for tidied borders.";
   if (id == "detect-cycles" && values.method == "vsa") {
     return "Variational shape approximation stops where it fits no better.";
   }

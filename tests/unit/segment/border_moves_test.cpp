@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/charts/chart_stats.h"
 #include "core/segment/balance.h"
 #include "core/segment/border_moves.h"
@@ -55,6 +57,23 @@ TEST(BorderMoves, LargeWeightEvensOut) {
     return balanceOf(f.relabelled(moves.labels()).areas.gaussArea).stdOverMean();
   };
   EXPECT_LT(spread(1e5), 0.5 * spread(0));
+}
+
+/// The same unevenness costs the same however many charts there are: else many have their borders
+/// shattered for a little more of balance.
+TEST(BorderMoves, BalanceCostsTheSameWithManyCharts) {
+  for (const std::size_t charts : {20, 100}) {
+    const Flooded f(test::sampleMesh("bumps", 7000), charts);
+    for (const bool likeCuts : {false, true}) {
+      const BorderMoves moves(*f.mesh, *f.gauss, f.face, f.state.label, f.state.chartCount,
+                              f.state.seeds, {.weight = 1000, .likeCuts = likeCuts, .eta = f.eta});
+      const double price = likeCuts ? 1000 : 400 * 1000 * std::sqrt(0.1);
+      const double balance = moves.energy() - moves.seamLength();
+      const double faces = static_cast<double>(f.mesh->faceCount());
+      EXPECT_NEAR(balance / moves.deviation() / moves.deviation(),
+                  likeCuts ? price : price * std::sqrt(faces / 7000), 1e-6 * price);
+    }
+  }
 }
 
 TEST(BorderMoves, CancelledRunsGoOn) {

@@ -250,6 +250,7 @@ TEST(WhyUnused, TellsOfMethodsAndBorders) {
   const auto why = [&](const char* id) { return whyUnused(values, *findParameter(id)); };
   EXPECT_EQ(why("speed-power"), "");
   EXPECT_EQ(why("balance-weight"), "");
+  EXPECT_NE(why("clean-up"), "");
   EXPECT_NE(why("vsa-seeding"), "");
   values.refine = "moves";
   EXPECT_NE(why("balance-weight"), "");
