@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/cli/option_table.h"
+#include "core/io/mesh_formats.h"
 
 namespace chartflood {
 
@@ -16,9 +17,8 @@ constexpr const char* kUsage = R"(Usage: chartflood [options] [mesh or session]
 
 Cuts a surface mesh into charts that flatten well, by flooding it along its Gaussian curvature
 (Yamauchi, Gumhold, Zayer, Seidel: Mesh segmentation driven by Gaussian curvature, 2005).
-Without an option that asks for a result it opens a window. Reads OBJ, PLY, OFF, STL, glTF, GLB and
-what Assimp opens besides. Options are written --name=value or --name value, switches --name or
---name=off. After -- every word is a file name.
+Without an option that asks for a result it opens a window. Options are written --name=value or
+--name value, switches --name or --name=off. After -- every word is a file name.
 )";
 
 constexpr const char* kExamples = R"(
@@ -47,16 +47,18 @@ std::size_t columns(std::string_view text) {
   }));
 }
 
-/// Appends the words of `text`, broken before kWidth, starting at column `column`.
-void appendWrapped(std::string& out, std::string_view text, std::size_t column) {
+/// Appends the words of `text`, broken before kWidth, starting at column `column`; the lines that
+/// follow are indented.
+void appendWrapped(std::string& out, std::string_view text, std::size_t column,
+                   std::size_t indent = kIndent) {
   bool first = true;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' ', 1), text.size());
     std::string_view word = text.substr(0, end);
     text.remove_prefix(end);
     if (column + columns(word) > kWidth) {
-      out += "\n" + std::string(kIndent, ' ');
-      column = kIndent;
+      out += "\n" + std::string(indent, ' ');
+      column = indent;
       first = true;
     }
     if (first && word.starts_with(' ')) word.remove_prefix(1);
@@ -77,10 +79,19 @@ std::string optionText(const OptionInfo& option) {
   return text;
 }
 
+/// The formats of meshes, read well apart from tried.
+std::string formatText() {
+  std::string text;
+  appendWrapped(text, "Reads " + extensionList(FormatReader::Own) +
+                          ". Tries, through the import library (Assimp), " +
+                          extensionList(FormatReader::Library) + ".", 0, 0);
+  return text;
+}
+
 }  // namespace
 
 std::string helpText() {
-  std::string text = kUsage;
+  std::string text = kUsage + formatText();
   std::string group;
   for (const OptionInfo& option : optionTable()) {
     if (option.group != group) text += "\n" + option.group + "\n";

@@ -11,14 +11,12 @@
 #include "app/gui/widgets.h"
 #include "app/host/command.h"
 #include "app/host/standard_paths.h"
+#include "core/io/mesh_formats.h"
 #include "core/session/session_io.h"
 
 namespace chartflood {
 
 namespace {
-
-constexpr std::array kMeshEndings = {".obj", ".ply", ".off", ".stl", ".gltf", ".glb",
-                                     ".3ds", ".dae", ".fbx", ".lwo", ".x3d"};
 
 /// What a chosen file is for: the action that takes it, and how a new name ends.
 struct Purpose {
@@ -54,8 +52,7 @@ std::string lower(std::string text) {
 }
 
 bool isMesh(const std::string& name) {
-  const std::string ending = lower(std::filesystem::path(name).extension().string());
-  return std::find(kMeshEndings.begin(), kMeshEndings.end(), ending) != kMeshEndings.end();
+  return findMeshFormat(std::filesystem::path(name).extension().string()) != nullptr;
 }
 
 std::string sizeText(std::uintmax_t bytes) {

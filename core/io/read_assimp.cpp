@@ -1,118 +1,162 @@
 #include "core/io/read_assimp.h"
 
-#include <exception>
-#include <new>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
+#include <system_error>
 #include <utility>
-#include <vector>
-
-#include <assimp/Importer.hpp>
-#include <assimp/scene.h>
 
 #include "core/base/counted.h"
-#include "core/io/face_builder.h"
-#include "core/io/weld.h"
+#include "core/io/child_process.h"
+#include "core/io/import_limits.h"
+#include "core/io/import_reply.h"
 
 namespace chartflood {
 
 namespace {
 
-class SceneReader {
- public:
-  SceneReader(const Source& source, const aiScene& scene)
-      : source_(source), scene_(scene), faces_(mesh_) {}
+constexpr const char* kImportProgram = "chartflood-import";
+constexpr const char* kInstead = "; save it as glTF or OBJ in the program that made it";
 
-  InputMesh read();
-
- private:
-  struct Visit {
-    const aiNode* node;
-    aiMatrix4x4 parent;
-  };
-  bool addMesh(unsigned number, const aiMatrix4x4& transform);
-
-  const Source& source_;
-  const aiScene& scene_;
-  InputMesh mesh_;
-  FaceBuilder faces_;
-  PositionTable table_;
-  std::size_t pointsAndLines_ = 0;
-};
-
-InputMesh SceneReader::read() {
-  std::vector<Visit> stack;
-  if (scene_.mRootNode != nullptr) stack.push_back({scene_.mRootNode, aiMatrix4x4()});
-  while (!stack.empty()) {
-    const Visit visit = stack.back();
-    stack.pop_back();
-    const aiMatrix4x4 transform = visit.parent * visit.node->mTransformation;
-    for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
-      if (!addMesh(visit.node->mMeshes[i], transform)) return {};
-    }
-    for (unsigned i = visit.node->mNumChildren; i > 0; --i) {
-      stack.push_back({visit.node->mChildren[i - 1], transform});
-    }
+/// Beside this program, or where installations keep programs that only programs call; none when it
+/// is in neither place.
+std::optional<std::filesystem::path> importProgram() {
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) return std::nullopt;
+  const std::filesystem::path folder = self.parent_path();
+  const std::array places = {folder / kImportProgram,
+                             folder.parent_path() / "libexec" / "chartflood" / kImportProgram};
+  for (const std::filesystem::path& place : places) {
+    if (std::filesystem::is_regular_file(place, error)) return place;
   }
-  if (mesh_.faceCount() == 0) source_.fail("it has no faces");
-  if (pointsAndLines_ > 0) {
-    mesh_.repairs.push_back(
-        {"points-and-lines-ignored", pointsAndLines_,
-         counted(pointsAndLines_, "point or line was", "points or lines were") + " left out."});
-  }
-  mesh_.positions = std::move(table_.positions());
-  return std::move(mesh_);
+  return std::nullopt;
 }
 
-/// \returns false when cancelled.
-bool SceneReader::addMesh(unsigned number, const aiMatrix4x4& transform) {
-  if (source_.report(source_.begin())) return false;
-  if (number >= scene_.mNumMeshes) source_.fail("a node names a mesh that does not exist");
-  const aiMesh& part = *scene_.mMeshes[number];
-  std::vector<Index> vertex(part.mNumVertices);
-  for (unsigned v = 0; v < part.mNumVertices; ++v) {
-    const aiVector3D p = transform * part.mVertices[v];
-    vertex[v] = table_.indexOf(glm::dvec3(p.x, p.y, p.z));
+/// Words of the library as part of a sentence: one line of plain letters, not too long.
+std::string cleaned(std::string_view words) {
+  constexpr std::size_t kLongest = 100;
+  std::string text;
+  for (const char c : words.substr(0, words.find_first_of("\r\n"))) {
+    const bool plain = c > ' ' && c < 0x7f;
+    if (plain) text.push_back(c);
+    if (!plain && !text.empty() && text.back() != ' ') text.push_back(' ');
   }
-  const bool mirrored = transform.Determinant() < 0;
-  for (unsigned f = 0; f < part.mNumFaces; ++f) {
-    const aiFace& face = part.mFaces[f];
-    if (face.mNumIndices < 3) {
-      ++pointsAndLines_;
-      continue;
-    }
-    for (unsigned i = 0; i < face.mNumIndices; ++i) {
-      const unsigned corner = face.mIndices[mirrored ? face.mNumIndices - 1 - i : i];
-      if (corner >= part.mNumVertices) {
-        source_.fail("a face names vertex " + std::to_string(corner) + " but there are " +
-                     std::to_string(part.mNumVertices) + " (counted from 0)");
-      }
-      faces_.addCorner(vertex[corner]);
-    }
-    faces_.endFace();
+  if (text.size() > kLongest) {
+    text.resize(kLongest);
+    if (const std::size_t at = text.rfind(' '); at != std::string::npos) text.resize(at);
+    text += " ..";
+    return text;
   }
-  return true;
+  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
+  return text;
+}
+
+/// The version in the head of a Blender file, 402 for 4.2; 300 for one in the packing that came with
+/// it; 0 when it is none or packed as before.
+int blenderVersion(std::string_view bytes) {
+  if (bytes.starts_with("\x28\xb5\x2f\xfd")) return 300;
+  if (!bytes.starts_with("BLENDER")) return 0;
+  const std::size_t v = bytes.substr(0, 16).find_first_of("vV");
+  if (v == std::string_view::npos) return 0;
+  int version = 0;
+  for (const char c : bytes.substr(v + 1, 4)) {
+    if (std::isdigit(static_cast<unsigned char>(c)) == 0) break;
+    version = 10 * version + (c - '0');
+  }
+  return version;
+}
+
+/// Refuses the source; `cause` unless its format is younger than the library.
+[[noreturn]] void refuse(const Source& source, std::string_view extension, const std::string& cause) {
+  constexpr int kKnown = 279;
+  const int version = extension == "blend" ? blenderVersion(source.bytes) : 0;
+  if (version <= kKnown) source.fail(cause);
+  source.fail("it was made by a newer Blender (" + std::to_string(version / 100) + "." +
+              std::to_string(version % 100) +
+              " or later) than the import library knows; export glTF or OBJ from Blender");
+}
+
+/// Why a program that gave no whole answer ended.
+std::string causeOfEnd(int signal, const ImportLimits& limits) {
+  if (signal == SIGXCPU) {
+    return "the import library was stopped after " +
+           counted(static_cast<std::size_t>(limits.work.count()), "second", "seconds") + " of work";
+  }
+  if (signal == 0) return "the import library gave no mesh";
+  return "the import library broke down over it (signal " + std::to_string(signal) + ")";
+}
+
+std::string causeOf(const ImportReply& reply, const ImportLimits& limits) {
+  if (reply.outcome == ImportOutcome::OutOfMemory) {
+    return "the import library needs more than " +
+           counted(limits.memory >> 20, "megabyte", "megabytes") + " of memory for it";
+  }
+  const std::string reason = cleaned(reply.reason);
+  return reason.empty() ? "the import library does not know its content"
+                        : "the import library refuses it (" + reason + ")";
+}
+
+ImportReply runImport(const Source& source, std::string_view extension,
+                   const std::filesystem::path& program, bool& cancelled) {
+  const ImportLimits limits(source.bytes.size());
+  const auto deadline = std::chrono::steady_clock::now() + limits.wait;
+  const std::string folder = source.folder.empty() ? "." : source.folder.string();
+  ChildProcess child(program, {std::string(extension), folder}, source.bytes);
+  ChildProcess::Read last = ChildProcess::Read::Done;
+  ImportReply reply;
+  const bool whole = readImportReply(reply, limits.memory, [&](std::span<std::byte> to) {
+    last = child.read(to, deadline, [&] { return source.report(source.begin()); });
+    return last == ChildProcess::Read::Done;
+  });
+  cancelled = last == ChildProcess::Read::Cancelled;
+  if (whole || cancelled) return reply;
+  if (last == ChildProcess::Read::TooLate) {
+    refuse(source, extension,
+           "the import library did not end in " +
+               counted(static_cast<std::size_t>(limits.wait.count()), "second", "seconds") +
+               kInstead);
+  }
+  // An answer that contradicts itself is no answer; the program may still be writing it.
+  const int signal = last == ChildProcess::Read::Ended ? child.waitForEnd() : 0;
+  refuse(source, extension, causeOfEnd(signal, limits) + kInstead);
 }
 
 }  // namespace
 
 InputMesh readAssimp(const Source& source, std::string_view extension) {
-  Assimp::Importer importer;
-  std::string error;
-  const aiScene* scene = nullptr;
+  const std::optional<std::filesystem::path> program = importProgram();
+  if (!program) {
+    source.fail(std::string("the program ") + kImportProgram + ", which reads ." +
+                std::string(extension) + ", is not beside this one; install chartflood anew");
+  }
+  bool cancelled = false;
+  ImportReply reply;
   try {
-    scene = importer.ReadFileFromMemory(source.begin(), source.bytes.size(), 0,
-                                        std::string(extension).c_str());
-    error = importer.GetErrorString();
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& e) {
-    error = e.what();
+    reply = runImport(source, extension, *program, cancelled);
+  } catch (const std::system_error& error) {
+    source.fail(std::string("the program ") + kImportProgram + ", which reads ." +
+                std::string(extension) + ", could not be started (" +
+                std::strerror(error.code().value()) + "); try again");
   }
-  if (scene == nullptr) {
-    error = error.substr(0, error.find('\n'));
-    source.fail(error.empty() ? "the import library does not know its content" : error);
+  if (cancelled) return {};
+  if (reply.outcome != ImportOutcome::Mesh) {
+    refuse(source, extension, causeOf(reply, ImportLimits(source.bytes.size())) + kInstead);
   }
-  return SceneReader(source, *scene).read();
+  if (reply.mesh.faceCount() == 0) refuse(source, extension, "it has no faces");
+  if (reply.pointsAndLines > 0) {
+    const auto count = static_cast<std::size_t>(reply.pointsAndLines);
+    reply.mesh.repairs.push_back(
+        {"points-and-lines-ignored", count,
+         counted(count, "point or line was", "points or lines were") + " left out."});
+  }
+  return std::move(reply.mesh);
 }
 
 }  // namespace chartflood

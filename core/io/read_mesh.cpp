@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <new>
 #include <stdexcept>
 #include <string_view>
@@ -11,6 +10,8 @@
 #include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"
+#include "core/io/mesh_formats.h"
+#include "core/io/read_3mf.h"
 #include "core/io/read_assimp.h"
 #include "core/io/read_gltf.h"
 #include "core/io/read_obj.h"
@@ -23,36 +24,6 @@
 namespace chartflood {
 
 namespace {
-
-constexpr std::size_t kOwnFormats = 6;
-
-constexpr std::array<MeshFormat, 20> kReadable = {{
-    {"obj", "Wavefront OBJ"},
-    {"ply", "Stanford PLY"},
-    {"off", "Object File Format"},
-    {"stl", "Stereolithography"},
-    {"gltf", "glTF"},
-    {"glb", "glTF binary"},
-    {"fbx", "Autodesk FBX"},
-    {"dae", "Collada"},
-    {"3ds", "3D Studio"},
-    {"blend", "Blender"},
-    {"x3d", "X3D"},
-    {"3mf", "3D Manufacturing Format"},
-    {"amf", "Additive Manufacturing"},
-    {"lwo", "LightWave"},
-    {"x", "DirectX"},
-    {"ac", "AC3D"},
-    {"ase", "3ds Max ASCII"},
-    {"dxf", "AutoCAD DXF"},
-    {"ms3d", "MilkShape 3D"},
-    {"b3d", "Blitz3D"},
-}};
-
-std::string lowered(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// Whether the first line that says anything begins like a line of OBJ.
 bool looksLikeObj(std::string_view bytes) {
@@ -73,11 +44,13 @@ bool looksLikeObj(std::string_view bytes) {
 }
 
 /// The extension that fits the content, "" when none of the formats with own readers does.
-std::string_view formatOfContent(std::string_view bytes) {
+std::string_view formatOfContent(const Source& source) {
+  const std::string_view bytes =
+      source.bytes.substr(static_cast<std::size_t>(source.text() - source.begin()));
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return "ply";
   if (bytes.starts_with("glTF")) return "glb";
   if (looksLikeOff(bytes)) return "off";
-  if (looksLikeBinaryStl(bytes)) return "stl";
+  if (looksLikeBinaryStl(source.bytes)) return "stl";
   const std::size_t start = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
   const std::string_view text = bytes.substr(start);
   if (text.starts_with("solid") && text.find("facet") != std::string_view::npos) return "stl";
@@ -85,36 +58,26 @@ std::string_view formatOfContent(std::string_view bytes) {
   return looksLikeObj(bytes) ? "obj" : "";
 }
 
-std::string supportedList() {
-  std::string text;
-  for (const MeshFormat& format : kReadable) {
-    if (!text.empty()) text += ", ";
-    text.append(".").append(format.extension);
-  }
-  return text;
-}
-
 std::string formatOf(const std::filesystem::path& file, const Source& source) {
-  const std::string dotted = lowered(file.extension().string());
-  std::string extension = dotted.empty() ? dotted : dotted.substr(1);
-  const auto known =
-      std::find_if(kReadable.begin(), kReadable.end(),
-                   [&](const MeshFormat& format) { return extension == format.extension; });
-  const std::string_view content = formatOfContent(source.bytes);
-  if (known == kReadable.end()) {
+  const std::string ending = file.extension().string();
+  const MeshFormat* const known = findMeshFormat(ending);
+  const std::string_view content = formatOfContent(source);
+  if (known == nullptr) {
     if (!content.empty()) return std::string(content);
-    source.fail("its format is not known; supported are " + supportedList());
+    source.fail("its format is not known; supported are " + extensionList(FormatReader::Own) +
+                ", and tried " + extensionList(FormatReader::Library));
   }
+  const std::string_view extension = known->extension;
   // Only formats with an unmistakable beginning: OBJ and STL readers take nearly anything.
   const bool certain = content == "ply" || content == "off" || content == "glb";
-  const bool own = known - kReadable.begin() < static_cast<std::ptrdiff_t>(kOwnFormats);
+  const bool own = known->reader == FormatReader::Own;
   const bool same = content == extension || (content == "glb" && extension == "gltf");
   if (certain && own && !same) {
     source.fail("its content is of the format ." + std::string(content) +
-                " although its name ends in ." + extension + "; rename it to end in ." +
+                " although its name ends in ." + std::string(extension) + "; rename it to end in ." +
                 std::string(content));
   }
-  return extension;
+  return std::string(extension);
 }
 
 InputMesh readAs(std::string_view format, const Source& source) {
@@ -123,6 +86,7 @@ InputMesh readAs(std::string_view format, const Source& source) {
   if (format == "off") return readOff(source);
   if (format == "stl") return readStl(source);
   if (format == "gltf" || format == "glb") return readGltf(source);
+  if (format == "3mf") return read3mf(source);
   return readAssimp(source, format);
 }
 
@@ -140,8 +104,6 @@ void joinUnsharedFaces(InputMesh& mesh) {
 }
 
 }  // namespace
-
-std::span<const MeshFormat> meshFormats() { return kReadable; }
 
 std::shared_ptr<const InputMesh> readMesh(const std::filesystem::path& file, Progress* progress) {
   if (progress != nullptr) progress->beginPhase("Reading");

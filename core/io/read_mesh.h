@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "core/base/progress.h"
@@ -14,10 +13,10 @@ namespace chartflood {
 /// Reads the vertices and faces of a mesh file, in the order of the file, polygons kept.
 ///
 /// The format follows from the extension (any case): OBJ, PLY (ASCII and binary), OFF, STL (ASCII
-/// and binary), glTF/GLB, and what the import library opens besides; when the extension is missing
-/// or unknown, from the content. Coordinates are in the file's units; glTF and library formats have
-/// their node transforms applied. Findings of the reader are in InputMesh::repairs; gluing and
-/// dropping is the work of buildMesh().
+/// and binary), glTF/GLB, 3MF, and what the import library opens besides (meshFormats()); when the
+/// extension is missing or unknown, from the content. Coordinates are in the file's units; glTF, 3MF
+/// and library formats have their node transforms applied. Findings of the reader are in
+/// InputMesh::repairs; gluing and dropping is the work of buildMesh().
 ///
 /// \param progress may be null; its phase is "Reading". Cancelling returns null.
 /// \throws ReadError for anything that cannot be read as a mesh: not a regular file, not readable,
@@ -26,14 +25,5 @@ namespace chartflood {
 /// be joined), plus reading from disk.
 std::shared_ptr<const InputMesh> readMesh(const std::filesystem::path& file,
                                           Progress* progress = nullptr);
-
-/// One row of the list of formats, for file dialogs and messages.
-struct MeshFormat {
-  const char* extension;  ///< lower case, without the dot
-  const char* title;      ///< "Wavefront OBJ"
-};
-
-/// Every format that readMesh() takes, own readers first.
-std::span<const MeshFormat> meshFormats();
 
 }  // namespace chartflood

@@ -30,6 +30,8 @@ struct Source {
 
   const char* begin() const { return bytes.data(); }
   const char* end() const { return bytes.data() + bytes.size(); }
+  /// Where a text begins: behind the mark that some editors write before UTF-8.
+  const char* text() const { return begin() + (bytes.starts_with("\xef\xbb\xbf") ? 3 : 0); }
 };
 
 /// The word at a place of a text, in quotes, shortened and with unprintable bytes replaced.

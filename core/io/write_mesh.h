@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/io/charted_mesh.h"
-#include "core/io/read_mesh.h"
+#include "core/io/mesh_formats.h"
 #include "core/io/write_glb.h"
 #include "core/io/write_obj.h"
 #include "core/io/write_ply.h"

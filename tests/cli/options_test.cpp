@@ -14,6 +14,7 @@
 #include "app/cli/help.h"
 #include "app/cli/option_table.h"
 #include "core/base/error.h"
+#include "core/io/mesh_formats.h"
 
 namespace chartflood {
 namespace {
@@ -245,6 +246,10 @@ TEST(Help, ListsEveryOptionWithItsGroupAndEndsWithExamples) {
   for (const char* group : {"Segmentation", "Results", "Picture", "Camera", "General"}) {
     EXPECT_THAT(help, HasSubstr("\n" + std::string(group)));
   }
+  std::string unbroken = help;
+  std::replace(unbroken.begin(), unbroken.end(), '\n', ' ');
+  EXPECT_THAT(unbroken, HasSubstr("Reads " + extensionList(FormatReader::Own) + "."));
+  EXPECT_THAT(unbroken, HasSubstr("(Assimp), " + extensionList(FormatReader::Library) + "."));
   EXPECT_GT(help.find("Examples"), help.find("--version"));
 }
 

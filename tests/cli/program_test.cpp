@@ -71,6 +71,28 @@ class Program : public testing::Test {
   TemporaryFolder folder_;
 };
 
+/// The importing program is found beside this one and where installations keep it.
+TEST_F(Program, SaysWhenTheImportingProgramIsMissing) {
+  namespace fs = std::filesystem;
+  const fs::path program = fs::path(CHARTFLOOD_PROGRAM), root = folder_.path();
+  fs::create_directories(root / "bin");
+  fs::create_directories(root / "libexec" / "chartflood");
+  fs::copy_file(program, root / "bin" / "chartflood");
+  folder_.write("a.ac", "AC3Db\nMATERIAL \"\" rgb 1 1 1  amb 1 1 1  emis 0 0 0  spec 0 0 0  shi 9  "
+                        "trans 0\nOBJECT world\nkids 1\nOBJECT poly\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\n"
+                        "numsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 1 0\n2 1 1\nkids 0\n");
+  const std::vector<std::string> words{(root / "bin" / "chartflood").string(), "a.ac", "--info"};
+  const ProgramRun missing = runProgramIn(root, words);
+  EXPECT_EQ(missing.exitCode, 1);
+  EXPECT_EQ(missing.errors, "chartflood: Could not read a.ac: the program chartflood-import, which "
+                            "reads .ac, is not beside this one; install chartflood anew.\n");
+  fs::copy_file(program.parent_path() / "chartflood-import",
+                root / "libexec" / "chartflood" / "chartflood-import");
+  const ProgramRun installed = runProgramIn(root, words);
+  EXPECT_EQ(installed.exitCode, 0) << installed.errors;
+  EXPECT_THAT(installed.output, HasSubstr("faces           1"));
+}
+
 TEST_F(Program, SaysItsVersionAndHelp) {
   const ProgramRun version = run({"--version"});
   EXPECT_EQ(version.exitCode, 0);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/io/read_3mf.h"
 #include "core/io/read_gltf.h"
 #include "core/io/read_obj.h"
 #include "core/io/read_off.h"
@@ -21,13 +22,14 @@ namespace {
 
 using Reader = chartflood::InputMesh (*)(const chartflood::Source&);
 constexpr Reader kReaders[] = {chartflood::readObj, chartflood::readPly, chartflood::readOff,
-                               chartflood::readStl, chartflood::readGltf};
+                               chartflood::readStl, chartflood::readGltf,
+                               chartflood::read3mf};
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return -1;
-  const Reader reader = kReaders[data[0] % 5];
+  const Reader reader = kReaders[data[0] % 6];
   // A copy of just this size, so that reading past the end is seen.
   const std::unique_ptr<char[]> bytes(new char[size - 1]);
   std::copy(data + 1, data + size, bytes.get());

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/io/mesh_formats.h"
 #include "tests/gui/headless_frame.h"
+#include "tests/support/temporary_folder.h"
 
 namespace chartflood {
 namespace {
@@ -260,6 +262,23 @@ TEST(Panels, BrowserOpensAndCloses) {
   ui.click("close-browser");
   ui.frames(1);
   EXPECT_FALSE(ui.has("browser-name"));
+}
+
+/// What can be read can be chosen.
+TEST(Panels, BrowserShowsFilesOfEveryFormat) {
+  const TemporaryFolder folder;
+  for (const MeshFormat& format : meshFormats()) {
+    folder.write(std::string("a.") + format.extension, "x");
+    folder.write(std::string("B.") + format.extension + ".txt", "x");
+  }
+  HeadlessFrame ui;
+  ui.state().preferences.recentFiles = {(folder / "a.obj").string()};
+  ui.key("Ctrl+O");
+  ui.frames(3);
+  for (const MeshFormat& format : meshFormats()) {
+    EXPECT_TRUE(ui.has(std::string("browser/a.") + format.extension)) << format.extension;
+    EXPECT_FALSE(ui.has(std::string("browser/B.") + format.extension + ".txt"));
+  }
 }
 
 TEST(Panels, HiddenPanelsLeaveTheModelAlone) {

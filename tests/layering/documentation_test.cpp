@@ -13,6 +13,7 @@
 
 #include "app/cli/option_table.h"
 #include "app/cli/parameter_page.h"
+#include "core/io/mesh_formats.h"
 #include "tests/layering/source_tree.h"
 
 namespace chartflood {
@@ -38,22 +39,28 @@ TEST(Readme, NamesOnlyOptionsThatExist) {
   EXPECT_GT(found, 10u);
 }
 
-/// Set CHARTFLOOD_WRITE_README=1 to write the table anew after a change of the parameters.
-TEST(Readme, ParameterTableIsTheProgramsOwn) {
-  const std::string begin = "<!-- parameters: made from the program's table -->\n";
-  const std::string end = "<!-- end of parameters -->\n";
+/// Holds what README.md has between two marks against what the program says; writes it anew where
+/// CHARTFLOOD_WRITE_README=1 is set.
+void checkGenerated(const std::string& what, const std::string& made) {
+  const std::string begin = "<!-- " + what + ": made from the program's table -->\n";
+  const std::string end = "<!-- end of " + what + " -->\n";
   std::string text = fileText("README.md");
   const std::size_t from = text.find(begin), to = text.find(end);
   ASSERT_NE(from, std::string::npos);
   ASSERT_NE(to, std::string::npos);
   const std::size_t start = from + begin.size();
   if (std::getenv("CHARTFLOOD_WRITE_README") != nullptr) {
-    text.replace(start, to - start, "\n" + parameterPage() + "\n");
+    text.replace(start, to - start, "\n" + made + "\n");
     std::ofstream(sourceRoot() / "README.md", std::ios::binary) << text;
     GTEST_SKIP() << "README.md was written";
   }
-  EXPECT_EQ(text.substr(start, to - start), "\n" + parameterPage() + "\n");
+  EXPECT_EQ(text.substr(start, to - start), "\n" + made + "\n");
 }
+
+/// Set CHARTFLOOD_WRITE_README=1 to write the table anew after a change of the parameters.
+TEST(Readme, ParameterTableIsTheProgramsOwn) { checkGenerated("parameters", parameterPage()); }
+
+TEST(Readme, FormatTableIsTheProgramsOwn) { checkGenerated("formats", formatTable()); }
 
 TEST(Readme, NamesEveryLibraryPackage) {
   std::istringstream lines(fileText("apt-packages.txt"));

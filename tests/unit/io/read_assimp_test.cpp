@@ -1,9 +1,26 @@
-#include <gtest/gtest.h>
+// What the import library opens, through the program that runs it.
 
+#include <array>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "core/base/error.h"
+#include "core/io/mesh_formats.h"
+#include "core/io/read_assimp.h"
+#include "core/io/read_mesh.h"
 #include "io_support.h"
 
 namespace chartflood::test {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
 
 /// A Collada file with a quad and a triangle below a node that moves them.
 std::string collada(const std::string& matrix) {
@@ -40,9 +57,114 @@ TEST(ReadAssimp, TurnsFacesOfMirroredNodes) {
 }
 
 TEST(ReadAssimp, RefusesBrokenFiles) {
-  for (const char* name : {"a.dae", "a.fbx", "a.3ds", "a.blend", "a.3mf", "a.x", "a.lwo"}) {
-    EXPECT_NE(refusalOf(name, "this is no mesh at all, whatever the name says"), "") << name;
+  for (const MeshFormat& format : meshFormats()) {
+    const std::string name = std::string("a.") + format.extension;
+    const std::string cause = refusalOf(name, "this is no mesh at all, whatever the name says");
+    EXPECT_NE(cause, "") << name;
+    EXPECT_LE(cause.size(), 230u) << cause;
+    EXPECT_THAT(cause, Not(HasSubstr("\n")));
   }
+}
+
+TEST(ReadAssimp, SaysWhatTheLibraryFoundAndWhatNext) {
+  EXPECT_EQ(refusalOf("a.fbx", "; FBX 7.3.0 project file\n}"),
+            "the import library refuses it (FBX-DOM no FBXHeaderExtension dictionary found); save it "
+            "as glTF or OBJ in the program that made it");
+}
+
+TEST(ReadAssimp, NamesBlendersThatAreTooNew) {
+  const std::string rest = "REND" + std::string(200, '\0');
+  EXPECT_EQ(refusalOf("a.blend", "BLENDER-v402" + rest),
+            "it was made by a newer Blender (4.2 or later) than the import library knows; export "
+            "glTF or OBJ from Blender");
+  EXPECT_THAT(refusalOf("a.blend", "BLENDER17-01v0500" + rest), HasSubstr("Blender (5.0 or later)"));
+  EXPECT_THAT(refusalOf("a.blend", "\x28\xb5\x2f\xfd packed"), HasSubstr("Blender (3.0 or later)"));
+  EXPECT_THAT(refusalOf("a.blend", "BLENDER-v249" + rest), Not(HasSubstr("newer Blender")));
+}
+
+/// X3D with another X3D in its place.
+std::string inlined(const std::string& url) {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?><X3D version=\"3.0\"><Scene><Inline url='\"" + url +
+         "\"'/><Shape><IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 0'/>"
+         "</IndexedFaceSet></Shape></Scene></X3D>";
+}
+
+TEST(ReadAssimp, OpensNothingOutsideOfTheFolder) {
+  const TemporaryFolder folder;
+  const auto inside = folder / "inside";
+  std::filesystem::create_directories(inside / "below");
+  const std::string gltf =
+      R"({"asset":{"version":"1.0"},"scene":"s","scenes":{"s":{"nodes":["n"]}},
+"nodes":{"n":{"meshes":["m"]}},
+"meshes":{"m":{"primitives":[{"attributes":{"POSITION":"a"},"indices":"i","mode":4}]}},
+"accessors":{"a":{"bufferView":"v","byteOffset":0,"componentType":5126,"count":3,"type":"VEC3"},
+"i":{"bufferView":"w","byteOffset":0,"componentType":5123,"count":3,"type":"SCALAR"}},
+"bufferViews":{"v":{"buffer":"b","byteOffset":0,"byteLength":36,"target":34962},
+"w":{"buffer":"b","byteOffset":36,"byteLength":6,"target":34963}},
+"buffers":{"b":{"byteLength":42,"type":"arraybuffer","uri":"PLACE"}}})";
+  std::string buffer;
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) buffer += bytesOf(x);
+  for (std::uint16_t i = 0; i < 3; ++i) buffer += bytesOf(i);
+  for (const char* place : {"inside/a.bin", "inside/below/a.bin", "secret.bin"}) {
+    folder.write(place, buffer);
+  }
+  std::filesystem::create_symlink("../secret.bin", inside / "link.bin");
+  std::filesystem::create_symlink("below/a.bin", inside / "good-link.bin");
+  ASSERT_EQ(::mkfifo((inside / "pipe.bin").c_str(), 0600), 0);
+  const auto reads = [&](const std::string& uri) {
+    std::string text = gltf;
+    text.replace(text.find("PLACE"), 5, uri);
+    const Source source{text, "a.gltf", inside};
+    try {
+      return readAssimp(source, "gltf").faceCount() == 1;
+    } catch (const ReadError&) {
+      return false;
+    }
+  };
+  for (const char* uri : {"a.bin", "below/a.bin", "good-link.bin"}) EXPECT_TRUE(reads(uri)) << uri;
+  for (const std::string& uri :
+       {std::string("../secret.bin"), std::string("below/../../secret.bin"), std::string("link.bin"),
+        std::string("pipe.bin"), std::string("/dev/zero"), (folder / "secret.bin").string()}) {
+    EXPECT_FALSE(reads(uri)) << uri;
+  }
+}
+
+/// Reading a pipe would never end.
+TEST(ReadAssimp, DoesNotWaitForPipes) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder / "pipe.x3d").c_str(), 0600), 0);
+  try {
+    readMesh(folder.write("a.x3d", inlined("pipe.x3d")));
+  } catch (const ReadError&) {
+  }
+  EXPECT_NE(refusalOf("a.x3d", inlined("/dev/zero")), "refused, or read without it");
+}
+
+/// Bodies of figures, as games keep them; the import library has crashed over such files.
+TEST(ReadAssimp, TakesSkinnedFigures) {
+  const std::string identity = "1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;;";
+  const auto mesh = readBytes("a.x", "xof 0303txt 0032\nFrame Bone { FrameTransformMatrix { " + identity +
+                                         " } }\nMesh Body { 4; 0.0;0.0;0.0;, 1.0;0.0;0.0;, 0.0;1.0;0.0;, "
+                                         "0.0;0.0;1.0;; 4; 3;0,2,1;, 3;0,1,3;, 3;1,2,3;, 3;2,0,3;;\n"
+                                         "XSkinMeshHeader { 1; 1; 1; } SkinWeights { \"Bone\"; 4; 0,1,2,3; "
+                                         "1.0,1.0,0.5,0.5; " + identity + " } }\n");
+  EXPECT_EQ(mesh->faceCount(), 4u);
+  EXPECT_EQ(mesh->positions.size(), 4u);
+}
+
+TEST(ReadAssimp, CanBeCancelledAndReadOnManyThreads) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.dae", collada("1 0 0 10 0 1 0 0 0 0 1 0 0 0 0 1"));
+  Progress progress;
+  progress.cancel();
+  EXPECT_EQ(readMesh(file, &progress), nullptr);
+  std::vector<std::thread> threads;
+  std::array<std::size_t, 6> faces{};
+  for (std::size_t& count : faces) {
+    threads.emplace_back([&count, &file] { count = readMesh(file)->faceCount(); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::size_t count : faces) EXPECT_EQ(count, 2u);
 }
 
 }  // namespace

@@ -1,0 +1,122 @@
+/// chartflood-import EXTENSION FOLDER: reads a mesh file from standard input with the import library
+/// and writes it as bytes to standard output. Called by chartflood; whatever happens in the library,
+/// by accident or by a file made for it, happens here, within limits of memory and time.
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <exception>
+#include <new>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <assimp/Importer.hpp>
+#include <assimp/scene.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "app/import/folder_files.h"
+#include "app/import/scene_mesh.h"
+#include "core/io/import_limits.h"
+#include "core/io/import_reply.h"
+
+namespace {
+
+using namespace chartflood;
+
+bool put(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t done = write(STDOUT_FILENO, bytes.data(), bytes.size());
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(done));
+  }
+  return true;
+}
+
+/// Leaves without taking anything down: the library's own cleaning up is one of its dangers.
+[[noreturn]] void answer(const ImportReply& reply) { _exit(writeImportReply(reply, put) ? 0 : 1); }
+
+[[noreturn]] void answerOutOfMemory() {
+  ImportReply reply;
+  reply.outcome = ImportOutcome::OutOfMemory;
+  answer(reply);
+}
+
+void limit(int resource, rlim_t value) {
+  rlimit now{};
+  if (getrlimit(resource, &now) != 0) return;
+  const rlim_t most = now.rlim_max == RLIM_INFINITY ? value : std::min(value, now.rlim_max);
+  now.rlim_cur = most;
+  setrlimit(resource, &now);
+}
+
+void setLimits(std::size_t fileSize) {
+  const ImportLimits limits(fileSize);
+  // Sanitizers reserve far more addresses than they use.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  limit(RLIMIT_AS, limits.memory);
+#endif
+  limit(RLIMIT_CPU, static_cast<rlim_t>(limits.work.count()));
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::set_new_handler(answerOutOfMemory);
+}
+
+std::vector<char> readInput(std::size_t size) {
+  std::vector<char> bytes(size);
+  for (std::size_t done = 0; done < size;) {
+    const ssize_t got =
+        pread(STDIN_FILENO, bytes.data() + done, size - done, static_cast<off_t>(done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) _exit(1);
+    done += static_cast<std::size_t>(got);
+  }
+  return bytes;
+}
+
+/// What the library says, without the name that it was given.
+std::string withoutName(std::string words, const std::string& name) {
+  for (std::size_t at; (at = words.find(name)) != std::string::npos;) {
+    words.replace(at, name.size(), "it");
+  }
+  return words;
+}
+
+ImportReply runImport(std::string_view bytes, const std::string& extension, const std::string& folder) {
+  // A name of our own, so that nothing depends on how the file is called.
+  const std::string name = folder + "/mesh." + extension;
+  ImportReply reply;
+  Assimp::Importer& importer = *new Assimp::Importer;  // never taken down, see answer()
+  importer.SetIOHandler(newFolderFiles(folder, name, bytes));
+  try {
+    const aiScene* const scene = importer.ReadFile(name, 0);
+    if (scene != nullptr) return meshOfScene(*scene);
+    reply.reason = importer.GetErrorString();
+  } catch (const std::exception& error) {
+    reply.reason = error.what();
+  }
+  reply.reason = withoutName(std::move(reply.reason), name);
+  return reply;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  struct stat status = {};
+  if (argc != 3 || fstat(STDIN_FILENO, &status) != 0 || !S_ISREG(status.st_mode)) {
+    constexpr std::string_view kUsage = "chartflood-import is called by chartflood.\n";
+    return write(STDERR_FILENO, kUsage.data(), kUsage.size()) < 0 ? 1 : 2;
+  }
+  const auto size = static_cast<std::size_t>(status.st_size);
+  setLimits(size);
+  const std::vector<char> bytes = readInput(size);
+  answer(runImport({bytes.data(), bytes.size()}, argv[1], argv[2]));
+}

@@ -1,0 +1,78 @@
+#include "core/io/import_reply.h"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <vector>
+
+namespace chartflood {
+
+namespace {
+
+constexpr std::array<char, 8> kMark = {'C', 'F', 'I', 'M', 'P', 'O', 'R', '1'};
+constexpr std::size_t kLongestReason = 4096;
+
+struct Head {
+  std::array<char, 8> mark = kMark;
+  ImportOutcome outcome = ImportOutcome::Refused;
+  std::uint32_t reasonLength = 0;
+  std::uint64_t positions = 0, corners = 0, faceStarts = 0, pointsAndLines = 0;
+};
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 48);
+
+template <class T>
+bool take(std::vector<T>& values, std::uint64_t count, std::size_t& room,
+          const std::function<bool(std::span<std::byte>)>& get) {
+  if (count > room / sizeof(T)) return false;
+  room -= static_cast<std::size_t>(count) * sizeof(T);
+  values.resize(static_cast<std::size_t>(count));
+  return get(std::as_writable_bytes(std::span(values)));
+}
+
+/// Whether faces and corners name what is there.
+bool isConsistent(const InputMesh& mesh) {
+  const std::vector<std::size_t>& starts = mesh.faceStart;
+  if (starts.empty()) {
+    if (mesh.corners.size() % 3 != 0) return false;
+  } else if (starts.front() != 0 || starts.back() != mesh.corners.size() ||
+             !std::is_sorted(starts.begin(), starts.end())) {
+    return false;
+  }
+  return std::all_of(mesh.corners.begin(), mesh.corners.end(),
+                     [&](Index corner) { return corner < mesh.positions.size(); });
+}
+
+}  // namespace
+
+bool writeImportReply(const ImportReply& reply,
+                      const std::function<bool(std::span<const std::byte>)>& put) {
+  Head head;
+  head.outcome = reply.outcome;
+  const std::string_view reason = std::string_view(reply.reason).substr(0, kLongestReason);
+  head.reasonLength = static_cast<std::uint32_t>(reason.size());
+  head.positions = reply.mesh.positions.size();
+  head.corners = reply.mesh.corners.size();
+  head.faceStarts = reply.mesh.faceStart.size();
+  head.pointsAndLines = reply.pointsAndLines;
+  return put(std::as_bytes(std::span(&head, 1))) && put(std::as_bytes(std::span(reason))) &&
+         put(std::as_bytes(std::span(reply.mesh.positions))) &&
+         put(std::as_bytes(std::span(reply.mesh.corners))) &&
+         put(std::as_bytes(std::span(reply.mesh.faceStart)));
+}
+
+bool readImportReply(ImportReply& reply, std::size_t longest,
+                     const std::function<bool(std::span<std::byte>)>& get) {
+  Head head;
+  if (!get(std::as_writable_bytes(std::span(&head, 1)))) return false;
+  if (head.mark != kMark || head.reasonLength > kLongestReason) return false;
+  reply.outcome = head.outcome;
+  reply.pointsAndLines = head.pointsAndLines;
+  reply.reason.resize(head.reasonLength);
+  if (!get(std::as_writable_bytes(std::span(reply.reason)))) return false;
+  std::size_t room = longest;
+  return take(reply.mesh.positions, head.positions, room, get) &&
+         take(reply.mesh.corners, head.corners, room, get) &&
+         take(reply.mesh.faceStart, head.faceStarts, room, get) && isConsistent(reply.mesh);
+}
+
+}  // namespace chartflood
