@@ -35,7 +35,7 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames = {{
 /// binary data behind the last line may begin with a byte that looks like part of a line end.
 class HeaderReader {
  public:
-  explicit HeaderReader(const Source& source) : source_(source), p_(source.begin()) {
+  explicit HeaderReader(const Source& source) : source_(source), p_(source.text()) {
     const std::size_t end = source.bytes.find_first_of("\r\n");
     if (end == std::string_view::npos) return;
     lineEnd_ = source.bytes[end] == '\n' ? "\n" : "\r";

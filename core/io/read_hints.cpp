@@ -33,7 +33,7 @@ EdgeHints readHints(const std::filesystem::path& file, const Mesh& mesh) {
   source.requireText("list of edges");
   const std::vector<std::pair<Index, Index>> edges = edgesOf(mesh);
   EdgeHints hints;
-  TextRows rows(source, source.begin(), '#');
+  TextRows rows(source, source.text(), '#');
   while (rows.next()) {
     const char* const line = rows.position();
     const std::string_view word = rows.word();

@@ -34,8 +34,7 @@ bool contains(const std::array<std::string_view, n>& words, std::string_view wor
 class ObjReader {
  public:
   explicit ObjReader(const Source& source)
-      : source_(source), p_(source.begin()), end_(source.end()), faces_(mesh_) {
-    if (source.bytes.starts_with("\xef\xbb\xbf")) p_ += 3;
+      : source_(source), p_(source.text()), end_(source.end()), faces_(mesh_) {
     if (source.bytes.find('\n') == std::string_view::npos) lineEnd_ = '\r';
   }
 

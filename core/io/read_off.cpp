@@ -30,9 +30,7 @@ std::string_view headerWord(std::string_view word) {
 class OffReader {
  public:
   explicit OffReader(const Source& source)
-      : source_(source), rows_(source, source.begin(), '#'), faces_(mesh_) {
-    if (source.bytes.starts_with("\xef\xbb\xbf")) rows_.moveTo(source.begin() + 3);
-  }
+      : source_(source), rows_(source, source.text(), '#'), faces_(mesh_) {}
 
   InputMesh read();
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/io/face_builder.h"
 #include "core/io/text_rows.h"
 #include "core/io/weld.h"
 
@@ -35,7 +36,8 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lower) {
 /// the length, or bytes follow that are no text.
 bool isText(const Source& source) {
   const std::string_view bytes = source.bytes;
-  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+  const auto begin = static_cast<std::size_t>(source.text() - source.begin());
+  const std::size_t start = bytes.find_first_not_of(" \t\r\n", begin);
   if (start == std::string_view::npos) return false;
   if (!equalsIgnoringCase(bytes.substr(start, 5), "solid")) return false;
   return !looksLikeBinaryStl(bytes) && bytes.substr(0, 1024).find('\0') == std::string_view::npos;
@@ -80,11 +82,11 @@ InputMesh readBinary(const Source& source) {
   return mesh;
 }
 
-/// solid NAME / facet normal .. / outer loop / vertex x y z (three) / endloop / endfacet /
-/// endsolid.
+/// solid NAME / facet normal .. / outer loop / vertex x y z (three; some programs write polygons) /
+/// endloop / endfacet / endsolid.
 class TextStl {
  public:
-  explicit TextStl(const Source& source) : source_(source), rows_(source, source.begin(), 0) {}
+  explicit TextStl(const Source& source) : source_(source), rows_(source, source.text(), 0), faces_(mesh_) {}
 
   InputMesh read();
 
@@ -98,6 +100,7 @@ class TextStl {
   TextRows rows_;
   PositionTable table_;
   InputMesh mesh_;
+  FaceBuilder faces_;
   std::size_t openSolids_ = 0;
 };
 
@@ -120,15 +123,19 @@ void TextStl::readFacet() {
   rows_.skipLine();  // the normal
   expect("outer");
   expect("loop");
-  for (int i = 0; i < 3; ++i) {
-    expect("vertex");
+  for (std::size_t corners = 0;; ++corners) {
+    const std::string_view word = rows_.word();
+    if (corners >= 3 && equalsIgnoringCase(word, "endloop")) break;
+    if (!equalsIgnoringCase(word, "vertex")) {
+      failExpected(word, corners < 3 ? "\"vertex\"" : "\"vertex\" or \"endloop\"");
+    }
     glm::dvec3 position;
     position.x = rows_.real("a coordinate");
     position.y = rows_.real("a coordinate");
     position.z = rows_.real("a coordinate");
-    mesh_.corners.push_back(table_.indexOf(position));
+    faces_.addCorner(table_.indexOf(position));
   }
-  expect("endloop");
+  faces_.endFace();
   expect("endfacet");
 }
 

@@ -6,8 +6,8 @@
 
 namespace chartflood {
 
-/// Reads the triangles; corners with exactly the same coordinates become one vertex, in the order
-/// in which they are met. Stored normals are left aside.
+/// Reads the triangles, and polygons where a text has them; corners with exactly the same
+/// coordinates become one vertex, in the order in which they are met. Stored normals are left aside.
 /// \throws ReadError with line or byte; also when the file has fewer triangles than its header
 /// says.
 InputMesh readStl(const Source& source);

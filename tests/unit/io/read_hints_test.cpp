@@ -32,6 +32,7 @@ TEST(ReadHints, OfEitherKindInAnyOrder) {
   const EdgeHints hints = hintsIn("# seams\nnever 1 0\n\ncut 1 2  # here\nnever 2 1\n", *mesh);
   EXPECT_EQ(hints, (EdgeHints{{0, 1, HintKind::Never}, {1, 2, HintKind::Never}}));
   EXPECT_EQ(hintsIn(hintsText(hints), *mesh), hints);
+  EXPECT_EQ(hintsIn("\xef\xbb\xbf" + hintsText(hints), *mesh), hints) << "a mark of UTF-8";
   EXPECT_EQ(hintsIn("# none\n", *mesh), EdgeHints{});
 }
 

@@ -118,12 +118,22 @@ TEST(ReadStl, TakesText) {
   EXPECT_EQ(countOf(readBytes("a.stl", "solid\n" + triangle)->repairs, "missing-end"), 1u);
 }
 
+TEST(ReadStl, KeepsPolygonsOfText) {
+  const auto mesh = readFile(std::string(CHARTFLOOD_CASES) + "/ascii-stl-quad-loops.stl");
+  EXPECT_EQ(mesh->faceCount(), 6u);
+  for (std::size_t f = 0; f < mesh->faceCount(); ++f) EXPECT_EQ(mesh->face(f).size(), 4u);
+  EXPECT_EQ(mesh->positions.size(), 8u);
+}
+
 TEST(ReadStl, RefusesBrokenTextWithTheLine) {
   EXPECT_EQ(refusalOf("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"),
             "line 5 ends the file where \"vertex\" is due");
   EXPECT_EQ(refusalOf("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0 "
-                               "0\nvertex 0 0 0\nvertex 0 0 0\n"),
-            "line 7 has \"vertex\" where \"endloop\" is due");
+                               "0\nendloop\n"),
+            "line 6 has \"endloop\" where \"vertex\" is due");
+  EXPECT_EQ(refusalOf("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0 0 "
+                               "0\nvertex 0 0 0\nvertex 0 0 0\nendfacet\n"),
+            "line 8 has \"endfacet\" where \"vertex\" or \"endloop\" is due");
   EXPECT_EQ(refusalOf("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n"),
             "line 4 has \"zero\" where a coordinate is due");
   EXPECT_EQ(refusalOf("a.stl", "solid a\nendsolid a\n"), "it has no faces");
