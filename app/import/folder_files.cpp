@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <optional>
-#include <system_error>
 #include <utility>
 
 #include <assimp/IOStream.hpp>
@@ -13,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"
+#include "core/io/reference_path.h"
 
 namespace chartflood {
 
@@ -54,21 +53,17 @@ class BytesStream : public Assimp::IOStream {
 class FolderFiles : public Assimp::IOSystem {
  public:
   FolderFiles(const std::filesystem::path& folder, std::string meshName, std::string_view mesh)
-      : meshName_(std::move(meshName)), mesh_(mesh) {
-    std::error_code error;
-    root_ = std::filesystem::canonical(folder, error);
-    if (error) root_.clear();
-  }
+      : folder_(folder), meshName_(std::move(meshName)), mesh_(mesh) {}
 
-  bool Exists(const char* name) const override { return name == meshName_ || allowed(name); }
+  bool Exists(const char* name) const override { return name == meshName_ || find(name); }
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* name, const char* mode) override {
     if (mode == nullptr || *mode != 'r') return nullptr;
     if (name == meshName_) return new BytesStream(mesh_);
-    const std::optional<std::filesystem::path> file = allowed(name);
-    if (!file) return nullptr;
+    const Reference found = find(name);
+    if (!found) return nullptr;
     try {
-      return new BytesStream(std::make_unique<FileBytes>(*file));
+      return new BytesStream(std::make_unique<FileBytes>(found.file));
     } catch (const ReadError&) {
       return nullptr;
     }
@@ -79,23 +74,12 @@ class FolderFiles : public Assimp::IOSystem {
   bool DeleteFile(const std::string&) override { return false; }
 
  private:
-  /// Where the name leads after all links, when that is a regular file in the folder or below.
-  std::optional<std::filesystem::path> allowed(const char* name) const;
+  Reference find(const char* name) const { return findReference(folder_, name == nullptr ? "" : name); }
 
+  std::filesystem::path folder_;
   std::string meshName_;
   std::string_view mesh_;
-  std::filesystem::path root_;  ///< empty when there is none: then nothing is allowed
 };
-
-std::optional<std::filesystem::path> FolderFiles::allowed(const char* name) const {
-  if (name == nullptr || root_.empty()) return std::nullopt;
-  std::error_code error;
-  const std::filesystem::path real = std::filesystem::canonical(root_ / name, error);
-  if (error || !std::filesystem::is_regular_file(real, error) || error) return std::nullopt;
-  const auto [end, rest] = std::mismatch(root_.begin(), root_.end(), real.begin(), real.end());
-  if (end != root_.end()) return std::nullopt;
-  return real;
-}
 
 }  // namespace
 

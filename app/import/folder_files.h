@@ -11,7 +11,7 @@ class IOSystem;
 
 namespace chartflood {
 
-/// \param folder of the mesh; links are followed before anything is held against it
+/// \param folder of the mesh, absolute: the library puts it before the names that it finds
 /// \param mesh content of the mesh file, which outlives the result
 /// \returns for Assimp::Importer::SetIOHandler(), which takes it over. Files open for reading only,
 ///   and only regular ones, wherever names and links lead. Nothing is written, made or removed.

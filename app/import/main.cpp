@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <span>
 #include <string>
@@ -91,11 +92,13 @@ std::string withoutName(std::string words, const std::string& name) {
 }
 
 ImportReply runImport(std::string_view bytes, const std::string& extension, const std::string& folder) {
-  // A name of our own, so that nothing depends on how the file is called.
-  const std::string name = folder + "/mesh." + extension;
+  // A name of our own, so that nothing depends on how the file is called; absolute, because the
+  // library puts its folder before what is named in the file.
+  const std::filesystem::path place = std::filesystem::absolute(folder);
+  const std::string name = (place / ("mesh." + extension)).string();
   ImportReply reply;
   Assimp::Importer& importer = *new Assimp::Importer;  // never taken down, see answer()
-  importer.SetIOHandler(newFolderFiles(folder, name, bytes));
+  importer.SetIOHandler(newFolderFiles(place, name, bytes));
   try {
     const aiScene* const scene = importer.ReadFile(name, 0);
     if (scene != nullptr) return meshOfScene(*scene);

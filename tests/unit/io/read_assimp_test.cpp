@@ -111,10 +111,11 @@ TEST(ReadAssimp, OpensNothingOutsideOfTheFolder) {
   std::filesystem::create_symlink("../secret.bin", inside / "link.bin");
   std::filesystem::create_symlink("below/a.bin", inside / "good-link.bin");
   ASSERT_EQ(::mkfifo((inside / "pipe.bin").c_str(), 0600), 0);
+  std::filesystem::path place = inside;
   const auto reads = [&](const std::string& uri) {
     std::string text = gltf;
     text.replace(text.find("PLACE"), 5, uri);
-    const Source source{text, "a.gltf", inside};
+    const Source source{text, "a.gltf", place};
     try {
       return readAssimp(source, "gltf").faceCount() == 1;
     } catch (const ReadError&) {
@@ -127,6 +128,9 @@ TEST(ReadAssimp, OpensNothingOutsideOfTheFolder) {
         std::string("pipe.bin"), std::string("/dev/zero"), (folder / "secret.bin").string()}) {
     EXPECT_FALSE(reads(uri)) << uri;
   }
+  place = std::filesystem::relative(inside);
+  EXPECT_TRUE(reads("below/a.bin")) << "as users name folders";
+  EXPECT_FALSE(reads("../secret.bin"));
 }
 
 /// Reading a pipe would never end.
