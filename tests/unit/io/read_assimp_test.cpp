@@ -72,6 +72,29 @@ TEST(ReadAssimp, SaysWhatTheLibraryFoundAndWhatNext) {
             "as glTF or OBJ in the program that made it");
 }
 
+/// Over what it cannot do the library breaks down; that costs a sentence here.
+TEST(ReadAssimp, SurvivesABreakdownOfTheLibrary) {
+  std::string deep = "<?xml version=\"1.0\"?><X3D><Scene>", end;
+  for (int i = 0; i < 200000; ++i) {
+    deep += "<Group>";
+    end += "</Group>";
+  }
+  const std::string cause = refusalOf("a.x3d", deep + "<Shape/>" + end + "</Scene></X3D>");
+  // A sanitizer ends the program in its own way.
+  EXPECT_THAT(cause, testing::AnyOf("the import library broke down over it (signal 11); save it as "
+                                    "glTF or OBJ in the program that made it",
+                                    HasSubstr("the import library gave no mesh")));
+}
+
+TEST(ReadAssimp, LimitsTheMemoryOfTheLibrary) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers reserve more than any limit";
+#endif
+  EXPECT_EQ(refusalOf("a.x", "xof 0303txt 0032\nMesh Body {\n 300000000;\n 0.0;0.0;0.0;,\n}\n"),
+            "the import library needs more than 1024 megabytes of memory for it; save it as glTF or "
+            "OBJ in the program that made it");
+}
+
 TEST(ReadAssimp, NamesBlendersThatAreTooNew) {
   const std::string rest = "REND" + std::string(200, '\0');
   EXPECT_EQ(refusalOf("a.blend", "BLENDER-v402" + rest),
