@@ -33,7 +33,9 @@ class BytesStream : public Assimp::IOStream {
   }
   std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
   aiReturn Seek(std::size_t offset, aiOrigin origin) override {
-    const std::size_t from = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : bytes_.size();
+    const std::size_t from = origin == aiOrigin_SET   ? 0
+                             : origin == aiOrigin_CUR ? at_
+                                                      : bytes_.size();
     // Backwards is a number that wraps around.
     const std::size_t to = from + offset;
     if (to > bytes_.size()) return aiReturn_FAILURE;
@@ -74,7 +76,9 @@ class FolderFiles : public Assimp::IOSystem {
   bool DeleteFile(const std::string&) override { return false; }
 
  private:
-  Reference find(const char* name) const { return findReference(folder_, name == nullptr ? "" : name); }
+  Reference find(const char* name) const {
+    return findReference(folder_, name == nullptr ? "" : name);
+  }
 
   std::filesystem::path folder_;
   std::string meshName_;

@@ -1,5 +1,6 @@
 #pragma once
-/// The files that the import library may open: the mesh itself and what lies in its folder or below.
+/// The files that the import library may open: the mesh itself and what lies in its folder or
+/// below.
 
 #include <filesystem>
 #include <string>

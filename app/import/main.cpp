@@ -1,6 +1,6 @@
-/// chartflood-import EXTENSION FOLDER: reads a mesh file from standard input with the import library
-/// and writes it as bytes to standard output. Called by chartflood; whatever happens in the library,
-/// by accident or by a file made for it, happens here, within limits of memory and time.
+/// chartflood-import EXTENSION FOLDER: reads a mesh file from standard input with the import
+/// library and writes it as bytes to standard output. Called by chartflood; whatever happens in the
+/// library, by accident or by a file made for it, happens here, within limits of memory and time.
 
 #include <algorithm>
 #include <cerrno>
@@ -91,7 +91,8 @@ std::string withoutName(std::string words, const std::string& name) {
   return words;
 }
 
-ImportReply runImport(std::string_view bytes, const std::string& extension, const std::string& folder) {
+ImportReply runImport(std::string_view bytes, const std::string& extension,
+                      const std::string& folder) {
   // A name of our own, so that nothing depends on how the file is called; absolute, because the
   // library puts its folder before what is named in the file.
   const std::filesystem::path place = std::filesystem::absolute(folder);

@@ -27,7 +27,8 @@ constexpr std::chrono::seconds kTimeToEnd{2};
 }
 
 /// A descriptor that is closed at the end. Not one of the three standard streams: where the program
-/// was started without those, their numbers would be given out, and the child's streams fall on them.
+/// was started without those, their numbers are given out, and the child's streams would fall on
+/// them.
 class OwnDescriptor {
  public:
   explicit OwnDescriptor(int number) : number_(number) {
@@ -54,8 +55,8 @@ class OwnDescriptor {
 int fileOf(std::string_view bytes) {
   OwnDescriptor file(::memfd_create("chartflood-input", MFD_CLOEXEC));
   for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t put = ::pwrite(file.number(), bytes.data() + done, bytes.size() - done,
-                                 static_cast<off_t>(done));
+    const ssize_t put =
+        ::pwrite(file.number(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
     if (put < 0 && errno == EINTR) continue;
     if (put < 0) failWith(errno, "write");
     done += static_cast<std::size_t>(put);
@@ -73,8 +74,8 @@ class SpawnSettings {
     posix_spawn_file_actions_addopen(&files_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addclosefrom_np(&files_, STDERR_FILENO + 1);
     posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setflags(
-        &attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK |
+                                               POSIX_SPAWN_SETSIGDEF);
     posix_spawnattr_setpgroup(&attributes_, 0);
     sigset_t signals;
     sigemptyset(&signals);

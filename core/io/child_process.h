@@ -16,7 +16,8 @@ namespace chartflood {
 
 /// Lives no longer than this object: it is ended and waited for at the latest when that goes. Other
 /// threads may start programs, read files and handle signals meanwhile; nothing of this program's
-/// files is open in the other one but its standard streams. Signals of the terminal do not reach it.
+/// files is open in the other one but its standard streams. Signals of the terminal do not reach
+/// it.
 class ChildProcess {
  public:
   /// Starts it with `input` as its standard input and nothing behind its standard error.

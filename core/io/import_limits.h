@@ -6,18 +6,17 @@
 
 namespace chartflood {
 
-/// Grows with the file: what holds for all formats is that a scene takes a few tens of its bytes and
-/// that a megabyte is read in far less than a second.
+/// Grows with the file: what holds for all formats is that a scene takes a few tens of its bytes
+/// and that a megabyte is read in far less than a second.
 struct ImportLimits {
   explicit ImportLimits(std::size_t fileSize)
       : memory((std::size_t{1} << 30) + 32 * fileSize),
-        work(20 + static_cast<long>(fileSize >> 20)),
-        wait(10 * work) {}
+        work(20 + static_cast<long>(fileSize >> 20)), wait(10 * work) {}
 
   std::size_t memory;         ///< bytes of address space
   std::chrono::seconds work;  ///< of a processor
-  /// By the clock: ends one that waits instead of working. Far more than `work`, because the machine
-  /// may be busy with other things.
+  /// By the clock: ends one that waits instead of working. Far more than `work`, because the
+  /// machine may be busy with other things.
   std::chrono::seconds wait;
 };
 

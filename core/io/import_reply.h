@@ -22,8 +22,8 @@ enum class ImportOutcome : std::uint32_t {
 struct ImportReply {
   ImportOutcome outcome = ImportOutcome::Refused;
   std::string reason;
-  InputMesh mesh;                   ///< positions, corners and faceStart alone
-  std::uint64_t pointsAndLines = 0; ///< left out
+  InputMesh mesh;                    ///< positions, corners and faceStart alone
+  std::uint64_t pointsAndLines = 0;  ///< left out
 };
 
 /// Hands the bytes of an answer to `put`, which says whether it could take them.

@@ -16,8 +16,8 @@ enum class FormatReader {
 
 /// One row of the list.
 struct MeshFormat {
-  const char* extension;  ///< lower case, without the dot
-  const char* title;      ///< "Wavefront OBJ"
+  const char* extension;                    ///< lower case, without the dot
+  const char* title;                        ///< "Wavefront OBJ"
   FormatReader reader = FormatReader::Own;  ///< says nothing of a format that is written
 };
 

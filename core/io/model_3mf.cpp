@@ -16,14 +16,15 @@ constexpr const char* kProduction = "/3dmanufacturing/production/";
 
 /// Extensions whose geometry is read or that have none: their names are addresses.
 constexpr std::array kKnownExtensions = {kProduction, "/3dmanufacturing/material/",
-                                         "/3dmanufacturing/slice/", "/3dmanufacturing/trianglesets/"};
+                                         "/3dmanufacturing/slice/",
+                                         "/3dmanufacturing/trianglesets/"};
 constexpr std::array kOtherShapes = {"beam", "booleanshape", "levelset", "displacementmesh"};
 constexpr std::array<std::pair<const char*, double>, 6> kUnits = {{{"micron", 0.001},
-                                                                    {"millimeter", 1},
-                                                                    {"centimeter", 10},
-                                                                    {"inch", 25.4},
-                                                                    {"foot", 304.8},
-                                                                    {"meter", 1000}}};
+                                                                   {"millimeter", 1},
+                                                                   {"centimeter", 10},
+                                                                   {"inch", 25.4},
+                                                                   {"foot", 304.8},
+                                                                   {"meter", 1000}}};
 
 /// Calls `take` for each word of a text.
 template <class Take>
@@ -136,9 +137,9 @@ void ModelReader::beginModel(const XmlAttributes& attributes) {
   if (needed == nullptr) return;
   forEachWord(needed, [&](std::string_view prefix) {
     const std::string space = xml_.namespaceOf(prefix);
-    const bool known = std::any_of(kKnownExtensions.begin(), kKnownExtensions.end(), [&](auto* name) {
-      return space.find(name) != std::string::npos;
-    });
+    const bool known =
+        std::any_of(kKnownExtensions.begin(), kKnownExtensions.end(),
+                    [&](auto* name) { return space.find(name) != std::string::npos; });
     if (!known) model_.unknownExtensions.push_back(space.empty() ? std::string(prefix) : space);
   });
 }

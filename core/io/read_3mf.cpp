@@ -95,8 +95,8 @@ std::string PackageReader::mainPart() {
 bool PackageReader::keepOn(std::size_t bytes) {
   done_ += bytes;
   if (source_.progress == nullptr) return true;
-  source_.progress->setFraction(
-      std::min(1.0f, static_cast<float>(done_) / static_cast<float>(std::max<std::size_t>(expected_, 1))));
+  const std::size_t all = std::max({expected_, done_, std::size_t{1}});
+  source_.progress->setFraction(static_cast<float>(done_) / static_cast<float>(all));
   cancelled_ = source_.progress->cancelled();
   return !cancelled_;
 }
@@ -104,8 +104,9 @@ bool PackageReader::keepOn(std::size_t bytes) {
 /// The part with this key, read when first asked for; null when cancelled.
 const Model3mf* PackageReader::part(const std::string& key) {
   const auto [place, isNew] = parts_.try_emplace(key);
-  if (isNew && !readModel3mf(source_, package_, key,
-                             [this](std::size_t bytes) { return keepOn(bytes); }, place->second)) {
+  if (isNew && !readModel3mf(
+                   source_, package_, key, [this](std::size_t bytes) { return keepOn(bytes); },
+                   place->second)) {
     return nullptr;
   }
   return &place->second;
@@ -116,8 +117,9 @@ Object3mf* PackageReader::find(const Use3mf& use) {
   std::map<std::int64_t, Object3mf>& objects = parts_.at(use.part).objects;
   const auto found = objects.find(use.object);
   if (found == objects.end()) {
-    source_.fail(quotedWord(use.part.data(), use.part.data() + use.part.size()) + " has no object " +
-                 std::to_string(use.object) + ", although it is used; save the file anew");
+    source_.fail(quotedWord(use.part.data(), use.part.data() + use.part.size()) +
+                 " has no object " + std::to_string(use.object) +
+                 ", although it is used; save the file anew");
   }
   return &found->second;
 }
@@ -125,7 +127,8 @@ Object3mf* PackageReader::find(const Use3mf& use) {
 /// How much a use adds, components of components included.
 PackageReader::Amount PackageReader::measure(const Use3mf& use, std::size_t depth) {
   if (depth > kDeepest) {
-    source_.fail("its components lie more than " + std::to_string(kDeepest) + " deep in each other");
+    source_.fail("its components lie more than " + std::to_string(kDeepest) +
+                 " deep in each other; export it flat");
   }
   const Object3mf* const object = find(use);
   if (object == nullptr) return {};
@@ -158,9 +161,8 @@ void PackageReader::checkAmount(const std::vector<Use3mf>& items) {
     for (const auto& [number, object] : model.objects) stored += object.triangles.size();
   }
   if (sum.triangles > std::max(stored, kMostRepeated) || sum.uses > kMostUses) {
-    source_.fail("it repeats its parts until there are " +
-                 (sum.uses > kMostUses ? "millions of copies"
-                                       : std::to_string(sum.triangles >> 20) + " million triangles") +
+    source_.fail("it repeats its parts until there are many millions of " +
+                 std::string(sum.uses > kMostUses ? "them" : "triangles") +
                  "; export fewer copies");
   }
 }
@@ -190,7 +192,8 @@ bool PackageReader::add(const Use3mf& use, const glm::dmat4& parent) {
 }
 
 /// Objects of the main part that are no component of another.
-std::vector<Use3mf> PackageReader::looseObjects(const Model3mf& main, const std::string& key) const {
+std::vector<Use3mf> PackageReader::looseObjects(const Model3mf& main,
+                                                const std::string& key) const {
   std::set<std::int64_t> used;
   for (const auto& [number, object] : main.objects) {
     for (const Use3mf& component : object.components) {

@@ -58,8 +58,8 @@ std::string cleaned(std::string_view words) {
   return text;
 }
 
-/// The version in the head of a Blender file, 402 for 4.2; 300 for one in the packing that came with
-/// it; 0 when it is none or packed as before.
+/// The version in the head of a Blender file, 402 for 4.2; 300 for one in the packing that came
+/// with it; 0 when it is none or packed as before.
 int blenderVersion(std::string_view bytes) {
   if (bytes.starts_with("\x28\xb5\x2f\xfd")) return 300;
   if (!bytes.starts_with("BLENDER")) return 0;
@@ -74,7 +74,8 @@ int blenderVersion(std::string_view bytes) {
 }
 
 /// Refuses the source; `cause` unless its format is younger than the library.
-[[noreturn]] void refuse(const Source& source, std::string_view extension, const std::string& cause) {
+[[noreturn]] void refuse(const Source& source, std::string_view extension,
+                         const std::string& cause) {
   constexpr int kKnown = 279;
   const int version = extension == "blend" ? blenderVersion(source.bytes) : 0;
   if (version <= kKnown) source.fail(cause);
@@ -104,7 +105,7 @@ std::string causeOf(const ImportReply& reply, const ImportLimits& limits) {
 }
 
 ImportReply runImport(const Source& source, std::string_view extension,
-                   const std::filesystem::path& program, bool& cancelled) {
+                      const std::filesystem::path& program, bool& cancelled) {
   const ImportLimits limits(source.bytes.size());
   const auto deadline = std::chrono::steady_clock::now() + limits.wait;
   const std::string folder = source.folder.empty() ? "." : source.folder.string();

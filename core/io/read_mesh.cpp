@@ -74,8 +74,8 @@ std::string formatOf(const std::filesystem::path& file, const Source& source) {
   const bool same = content == extension || (content == "glb" && extension == "gltf");
   if (certain && own && !same) {
     source.fail("its content is of the format ." + std::string(content) +
-                " although its name ends in ." + std::string(extension) + "; rename it to end in ." +
-                std::string(content));
+                " although its name ends in ." + std::string(extension) +
+                "; rename it to end in ." + std::string(content));
   }
   return std::string(extension);
 }

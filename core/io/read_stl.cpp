@@ -86,7 +86,8 @@ InputMesh readBinary(const Source& source) {
 /// endloop / endfacet / endsolid.
 class TextStl {
  public:
-  explicit TextStl(const Source& source) : source_(source), rows_(source, source.text(), 0), faces_(mesh_) {}
+  explicit TextStl(const Source& source)
+      : source_(source), rows_(source, source.text(), 0), faces_(mesh_) {}
 
   InputMesh read();
 

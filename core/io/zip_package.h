@@ -14,7 +14,8 @@ struct zip;
 
 namespace chartflood {
 
-/// An archive whose entries are the parts of a package: names in any case, with or without a leading slash.
+/// An archive whose entries are the parts of a package: names in any case, with or without a
+/// leading slash.
 class ZipPackage {
  public:
   /// What an entry unpacks to, piece by piece. \returns false to stop.

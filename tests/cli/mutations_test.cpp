@@ -1,5 +1,5 @@
-// Good files with a few bytes changed: whatever the change, the program ends with a mesh or with one
-// sentence. CHARTFLOOD_MUTATIONS=N tries so many, CHARTFLOOD_FIRST_MUTATION=N begins at another.
+// Good files with a few bytes changed: whatever the change, the program ends with a mesh or with
+// one sentence. CHARTFLOOD_MUTATIONS=N tries so many, CHARTFLOOD_FIRST_MUTATION=N begins elsewhere.
 
 #include <algorithm>
 #include <array>
@@ -39,8 +39,9 @@ class Dice {
 
 /// Replaces a number of a text, if there is one behind the place.
 void changeNumber(std::string& bytes, std::size_t at, Dice& dice) {
-  constexpr std::array kNumbers = {"-1",  "0",     "4294967295", "2147483648", "1e999", "nan",
-                                   "65536", "999999999999", "-0.0", "1e-320", "x",     ""};
+  constexpr std::array kNumbers = {"-1",    "0",      "4294967295", "2147483648",
+                                   "1e999", "nan",    "65536",      "999999999999",
+                                   "-0.0",  "1e-320", "x",          ""};
   constexpr const char* kDigits = "0123456789";
   const std::size_t begin = bytes.find_first_of(kDigits, at);
   if (begin == std::string::npos) return;
@@ -113,9 +114,8 @@ void checkSentence(const std::string& errors, const std::string& file) {
   EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1);
   EXPECT_THAT(errors, testing::EndsWith(".\n"));
   EXPECT_LE(errors.size(), 300u);
-  EXPECT_TRUE(std::all_of(errors.begin(), errors.end() - 1, [](char c) {
-    return c >= ' ' && c <= '~';
-  }));
+  EXPECT_TRUE(
+      std::all_of(errors.begin(), errors.end() - 1, [](char c) { return c >= ' ' && c <= '~'; }));
 }
 
 TEST(Mutations, EndWithAMeshOrOneSentence) {
@@ -130,9 +130,9 @@ TEST(Mutations, EndWithAMeshOrOneSentence) {
     const std::string name = "mutated." + seed.extension;
     folder.write(name, mutated(seed, dice));
     const ProgramRun run =
-        runProgramIn(folder.path(), {"/usr/bin/timeout", "60", CHARTFLOOD_PROGRAM, "--charts=3",
-                                     "--max-iterations=2", "--export-labels=labels.txt",
-                                     "--verbose=error", name});
+        runProgramIn(folder.path(),
+                     {"/usr/bin/timeout", "60", CHARTFLOOD_PROGRAM, "--charts=3",
+                      "--max-iterations=2", "--export-labels=labels.txt", "--verbose=error", name});
     SCOPED_TRACE("mutation " + std::to_string(number) + " of " + seed.name + ": exit " +
                  std::to_string(run.exitCode) + ", " + run.errors);
     EXPECT_TRUE(run.exitCode == 0 || run.exitCode == 1);

@@ -46,8 +46,7 @@ std::string exported(const aiScene& scene, const char* format) {
 
 /// A figure with a bone and an animation, which no exporter writes.
 std::string skinnedX() {
-  const std::string identity =
-      "1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;;";
+  const std::string identity = "1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;;";
   return "xof 0303txt 0032\nFrame Root {\n FrameTransformMatrix { " + identity +
          " }\n Frame Bone { FrameTransformMatrix { " + identity +
          " } }\n Mesh Body {\n  4;\n  0.0;0.0;0.0;,\n  1.0;0.0;0.0;,\n  0.0;1.0;0.0;,\n"
@@ -129,17 +128,22 @@ std::string binaryFbx() {
 
 SeedFile seed3mf() {
   const std::string identity = "1 0 0 0 1 0 0 0 1 ";
-  const std::string other = model3mf("<object id=\"1\" type=\"model\">" + cubeMesh3mf() +
-                                         "</object><object id=\"3\">" + cubeMesh3mf(2) + "</object>",
-                                     "", "unit=\"millimeter\"");
+  const std::string other =
+      model3mf("<object id=\"1\" type=\"model\">" + cubeMesh3mf() + "</object><object id=\"3\">" +
+                   cubeMesh3mf(2) + "</object>",
+               "", "unit=\"millimeter\"");
   const std::string main = model3mf(
       "<basematerials id=\"9\"><base name=\"red\" displaycolor=\"#ff0000\"/></basematerials>"
       "<object id=\"2\" pid=\"9\" pindex=\"0\"><components>"
-      "<component objectid=\"1\" p:path=\"/3D/one.model\" transform=\"" + identity + "5 5 0\"/>"
-      "<component objectid=\"3\" p:path=\"/3D/one.model\"/></components></object>",
+      "<component objectid=\"1\" p:path=\"/3D/one.model\" transform=\"" +
+          identity +
+          "5 5 0\"/>"
+          "<component objectid=\"3\" p:path=\"/3D/one.model\"/></components></object>",
       "<item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 0\"/><item objectid=\"2\"/>",
       "unit=\"millimeter\" requiredextensions=\"p\"");
-  return {"3mf", "3mf", "",
+  return {"3mf",
+          "3mf",
+          "",
           {{"[Content_Types].xml", "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/"
                                    "content-types\"/>"},
            {"_rels/.rels",

@@ -47,8 +47,8 @@ std::string cubeMesh3mf(int x) {
             std::to_string((corner >> 1) & 1) + "\" z=\"" + std::to_string(corner >> 2) + "\"/>";
   }
   text += "</vertices><triangles>";
-  for (const char* triangle : {"021", "123", "456", "576", "014", "154", "273", "267", "042", "246",
-                               "135", "375"}) {
+  for (const char* triangle :
+       {"021", "123", "456", "576", "014", "154", "273", "267", "042", "246", "135", "375"}) {
     text += std::string("<triangle v1=\"") + triangle[0] + "\" v2=\"" + triangle[1] + "\" v3=\"" +
             triangle[2] + "\"/>";
   }

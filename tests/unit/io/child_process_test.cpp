@@ -23,10 +23,11 @@ ChildProcess shell(const std::string& line, std::string_view input = "") {
   return ChildProcess("/bin/sh", {"-c", line}, input);
 }
 
-Read take(ChildProcess& child, std::string& text, std::chrono::milliseconds time,
-          const std::function<bool()>& cancelled = [] { return false; }) {
-  return child.read(std::as_writable_bytes(std::span(text)), std::chrono::steady_clock::now() + time,
-                    cancelled);
+Read take(
+    ChildProcess& child, std::string& text, std::chrono::milliseconds time,
+    const std::function<bool()>& cancelled = [] { return false; }) {
+  return child.read(std::as_writable_bytes(std::span(text)),
+                    std::chrono::steady_clock::now() + time, cancelled);
 }
 
 std::size_t openDescriptors() {
@@ -77,7 +78,8 @@ TEST(ChildProcess, MissingProgramsAreAnError) {
 TEST(ChildProcess, GetsItsStandardStreamsOnly) {
   const int leak = dup(STDERR_FILENO);
   ASSERT_GT(leak, STDERR_FILENO);
-  ChildProcess child = shell("for n in 3 4 5 6 7 8 9; do [ -e /proc/$$/fd/$n ] && echo $n; done; echo .");
+  ChildProcess child =
+      shell("for n in 3 4 5 6 7 8 9; do [ -e /proc/$$/fd/$n ] && echo $n; done; echo .");
   std::string answer(1, ' ');
   EXPECT_EQ(take(child, answer, std::chrono::seconds(60)), Read::Done);
   EXPECT_EQ(answer, ".");

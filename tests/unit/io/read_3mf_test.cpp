@@ -43,8 +43,8 @@ double sixVolumes(const InputMesh& mesh) {
 }
 
 TEST(Read3mf, TakesWhatSlicersWrite) {
-  for (const char* name : {"3mf-with-thumbnail.3mf", "3mf-production-extension.3mf",
-                           "3mf-zip64-entries.3mf"}) {
+  for (const char* name :
+       {"3mf-with-thumbnail.3mf", "3mf-production-extension.3mf", "3mf-zip64-entries.3mf"}) {
     const auto mesh = readFile(std::string(CHARTFLOOD_CASES) + "/" + name);
     EXPECT_EQ(mesh->faceCount(), 12u) << name;
     EXPECT_EQ(mesh->positions.size(), 8u) << name;
@@ -96,25 +96,28 @@ TEST(Read3mf, BuildsWhatIsBuiltAndElseEverything) {
 TEST(Read3mf, SaysWhatItDoesNotRead) {
   const std::string beams = "xmlns:b=\"http://schemas.microsoft.com/3dmanufacturing/beamlattice/"
                             "2017/02\" requiredextensions=\"b\"";
-  const std::string lattice = "<b:beams><b:beam v1=\"0\" v2=\"1\"/><b:beam v1=\"1\" v2=\"2\"/></b:beams>";
-  const auto mesh =
-      readModel(object(1, cubeMesh3mf() + lattice), "<item objectid=\"1\"/>", beams);
+  const std::string lattice =
+      "<b:beams><b:beam v1=\"0\" v2=\"1\"/><b:beam v1=\"1\" v2=\"2\"/></b:beams>";
+  const auto mesh = readModel(object(1, cubeMesh3mf() + lattice), "<item objectid=\"1\"/>", beams);
   EXPECT_EQ(countOf(mesh->repairs, "other-shapes-left-out"), 2u);
-  EXPECT_THAT(refusalOfModel(object(1, "<mesh>" + lattice + "</mesh>"), "<item objectid=\"1\"/>", beams),
-              HasSubstr("it needs the 3MF extension"));
+  EXPECT_THAT(
+      refusalOfModel(object(1, "<mesh>" + lattice + "</mesh>"), "<item objectid=\"1\"/>", beams),
+      HasSubstr("it needs the 3MF extension"));
 }
 
 TEST(Read3mf, RefusesWithPartAndLine) {
   const std::string item = "<item objectid=\"1\"/>";
-  EXPECT_EQ(refusalOfModel(object(1, "<mesh><vertices><vertex x=\"0\" y=\"zero\" z=\"0\"/></vertices>"
-                                     "</mesh>"),
-                           item),
-            "\"3d/main.model\" line 3 has \"zero\" where a coordinate is due");
-  EXPECT_EQ(refusalOfModel(object(1, "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/></vertices>\n"
-                                     "<triangles><triangle v1=\"0\" v2=\"1\" v3=\"0\"/></triangles>"
-                                     "</mesh>"),
-                           item),
-            "\"3d/main.model\" line 4 names vertex 1 but there are 1 (counted from 0)");
+  EXPECT_EQ(
+      refusalOfModel(object(1, "<mesh><vertices><vertex x=\"0\" y=\"zero\" z=\"0\"/></vertices>"
+                               "</mesh>"),
+                     item),
+      "\"3d/main.model\" line 3 has \"zero\" where a coordinate is due");
+  EXPECT_EQ(
+      refusalOfModel(object(1, "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/></vertices>\n"
+                               "<triangles><triangle v1=\"0\" v2=\"1\" v3=\"0\"/></triangles>"
+                               "</mesh>"),
+                     item),
+      "\"3d/main.model\" line 4 names vertex 1 but there are 1 (counted from 0)");
   EXPECT_EQ(refusalOfModel("", item),
             "\"3d/main.model\" has no object 1, although it is used; save the file anew");
   EXPECT_EQ(refusalOfModel(object(1, ""), item), "it has no faces");
@@ -128,9 +131,11 @@ TEST(Read3mf, RefusesWithPartAndLine) {
 }
 
 TEST(Read3mf, RefusesDamagedArchives) {
-  const std::string whole = package3mf(model3mf(object(1, cubeMesh3mf()), "<item objectid=\"1\"/>"));
+  const std::string whole =
+      package3mf(model3mf(object(1, cubeMesh3mf()), "<item objectid=\"1\"/>"));
   EXPECT_THAT(refusalOf("a.3mf", whole.substr(0, whole.size() / 2)), HasSubstr("no complete ZIP"));
-  EXPECT_THAT(refusalOf("a.3mf", zipArchive({{"a.txt", "nothing"}})), HasSubstr("without a 3D model"));
+  EXPECT_THAT(refusalOf("a.3mf", zipArchive({{"a.txt", "nothing"}})),
+              HasSubstr("without a 3D model"));
   std::string changed = whole;
   const std::size_t packed = changed.find("3D/Main.model") + 100;
   for (std::size_t i = 0; i < 8; ++i) changed[packed + i] = static_cast<char>(~changed[packed + i]);
@@ -145,7 +150,8 @@ TEST(Read3mf, RefusesBombs) {
     const std::string part = "<component objectid=\"" + std::to_string(id - 1) + "\"/>";
     doubling += object(id, components(part + part));
   }
-  EXPECT_THAT(refusalOfModel(doubling, "<item objectid=\"41\"/>"), HasSubstr("it repeats its parts"));
+  EXPECT_THAT(refusalOfModel(doubling, "<item objectid=\"41\"/>"),
+              HasSubstr("it repeats its parts"));
   EXPECT_THAT(refusalOfModel(object(1, components("<component objectid=\"2\"/>")) +
                                  object(2, components("<component objectid=\"1\"/>")),
                              "<item objectid=\"1\"/>"),
@@ -158,8 +164,8 @@ TEST(Read3mf, RefusesBombs) {
   const std::string laughs = "<!DOCTYPE model [<!ENTITY a \"ha\"><!ENTITY b \"&a;&a;\">]>";
   EXPECT_THAT(refusalOf("a.3mf", package3mf(laughs + "<model>&b;</model>")),
               HasSubstr("declares a document type"));
-  EXPECT_THAT(refusalOfModel(object(1, cubeMesh3mf()),
-                             "<item objectid=\"1\" partnumber=\"" + std::string(6 << 20, 'x') + "\"/>"),
+  EXPECT_THAT(refusalOfModel(object(1, cubeMesh3mf()), "<item objectid=\"1\" partnumber=\"" +
+                                                           std::string(6 << 20, 'x') + "\"/>"),
               HasSubstr("has a tag of more than 4 megabytes"));
   EXPECT_THAT(refusalOf("a.3mf", package3mf(std::string(std::size_t{80} << 20, ' '))),
               HasSubstr("it unpacks to more than 64 megabytes"));

@@ -67,9 +67,10 @@ TEST(ReadAssimp, RefusesBrokenFiles) {
 }
 
 TEST(ReadAssimp, SaysWhatTheLibraryFoundAndWhatNext) {
-  EXPECT_EQ(refusalOf("a.fbx", "; FBX 7.3.0 project file\n}"),
-            "the import library refuses it (FBX-DOM no FBXHeaderExtension dictionary found); save it "
-            "as glTF or OBJ in the program that made it");
+  EXPECT_EQ(
+      refusalOf("a.fbx", "; FBX 7.3.0 project file\n}"),
+      "the import library refuses it (FBX-DOM no FBXHeaderExtension dictionary found); save it "
+      "as glTF or OBJ in the program that made it");
 }
 
 /// Over what it cannot do the library breaks down; that costs a sentence here.
@@ -90,9 +91,10 @@ TEST(ReadAssimp, LimitsTheMemoryOfTheLibrary) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers reserve more than any limit";
 #endif
-  EXPECT_EQ(refusalOf("a.x", "xof 0303txt 0032\nMesh Body {\n 300000000;\n 0.0;0.0;0.0;,\n}\n"),
-            "the import library needs more than 1024 megabytes of memory for it; save it as glTF or "
-            "OBJ in the program that made it");
+  EXPECT_EQ(
+      refusalOf("a.x", "xof 0303txt 0032\nMesh Body {\n 300000000;\n 0.0;0.0;0.0;,\n}\n"),
+      "the import library needs more than 1024 megabytes of memory for it; save it as glTF or "
+      "OBJ in the program that made it");
 }
 
 TEST(ReadAssimp, NamesBlendersThatAreTooNew) {
@@ -100,14 +102,16 @@ TEST(ReadAssimp, NamesBlendersThatAreTooNew) {
   EXPECT_EQ(refusalOf("a.blend", "BLENDER-v402" + rest),
             "it was made by a newer Blender (4.2 or later) than the import library knows; export "
             "glTF or OBJ from Blender");
-  EXPECT_THAT(refusalOf("a.blend", "BLENDER17-01v0500" + rest), HasSubstr("Blender (5.0 or later)"));
+  EXPECT_THAT(refusalOf("a.blend", "BLENDER17-01v0500" + rest),
+              HasSubstr("Blender (5.0 or later)"));
   EXPECT_THAT(refusalOf("a.blend", "\x28\xb5\x2f\xfd packed"), HasSubstr("Blender (3.0 or later)"));
   EXPECT_THAT(refusalOf("a.blend", "BLENDER-v249" + rest), Not(HasSubstr("newer Blender")));
 }
 
 /// X3D with another X3D in its place.
 std::string inlined(const std::string& url) {
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?><X3D version=\"3.0\"><Scene><Inline url='\"" + url +
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?><X3D version=\"3.0\"><Scene><Inline url='\"" +
+         url +
          "\"'/><Shape><IndexedFaceSet coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 0 1 0'/>"
          "</IndexedFaceSet></Shape></Scene></X3D>";
 }
@@ -147,8 +151,9 @@ TEST(ReadAssimp, OpensNothingOutsideOfTheFolder) {
   };
   for (const char* uri : {"a.bin", "below/a.bin", "good-link.bin"}) EXPECT_TRUE(reads(uri)) << uri;
   for (const std::string& uri :
-       {std::string("../secret.bin"), std::string("below/../../secret.bin"), std::string("link.bin"),
-        std::string("pipe.bin"), std::string("/dev/zero"), (folder / "secret.bin").string()}) {
+       {std::string("../secret.bin"), std::string("below/../../secret.bin"),
+        std::string("link.bin"), std::string("pipe.bin"), std::string("/dev/zero"),
+        (folder / "secret.bin").string()}) {
     EXPECT_FALSE(reads(uri)) << uri;
   }
   place = std::filesystem::relative(inside);
@@ -170,11 +175,13 @@ TEST(ReadAssimp, DoesNotWaitForPipes) {
 /// Bodies of figures, as games keep them; the import library has crashed over such files.
 TEST(ReadAssimp, TakesSkinnedFigures) {
   const std::string identity = "1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0;;";
-  const auto mesh = readBytes("a.x", "xof 0303txt 0032\nFrame Bone { FrameTransformMatrix { " + identity +
-                                         " } }\nMesh Body { 4; 0.0;0.0;0.0;, 1.0;0.0;0.0;, 0.0;1.0;0.0;, "
-                                         "0.0;0.0;1.0;; 4; 3;0,2,1;, 3;0,1,3;, 3;1,2,3;, 3;2,0,3;;\n"
-                                         "XSkinMeshHeader { 1; 1; 1; } SkinWeights { \"Bone\"; 4; 0,1,2,3; "
-                                         "1.0,1.0,0.5,0.5; " + identity + " } }\n");
+  const auto mesh =
+      readBytes("a.x", "xof 0303txt 0032\nFrame Bone { FrameTransformMatrix { " + identity +
+                           " } }\nMesh Body { 4; 0.0;0.0;0.0;, 1.0;0.0;0.0;, 0.0;1.0;0.0;, "
+                           "0.0;0.0;1.0;; 4; 3;0,2,1;, 3;0,1,3;, 3;1,2,3;, 3;2,0,3;;\n"
+                           "XSkinMeshHeader { 1; 1; 1; } SkinWeights { \"Bone\"; 4; 0,1,2,3; "
+                           "1.0,1.0,0.5,0.5; " +
+                           identity + " } }\n");
   EXPECT_EQ(mesh->faceCount(), 4u);
   EXPECT_EQ(mesh->positions.size(), 4u);
 }
