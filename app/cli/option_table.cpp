@@ -19,6 +19,7 @@ std::string valueName(const ParameterInfo& info) {
   for (const ParameterChoice& choice : info.choices) {
     choices.push_back(choice.id);
   }
+  if (*info.orNumber != '\0') choices.push_back(info.orNumber);
   if (!choices.empty()) return joined(choices);
   const std::string unit = info.unit;
   return unit == "deg" ? "DEG" : "N";

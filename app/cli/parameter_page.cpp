@@ -15,6 +15,7 @@ std::string rangeText(const ParameterInfo& info) {
   for (const ParameterChoice& choice : info.choices) {
     choices += (choices.empty() ? "" : ", ") + std::string(choice.id);
   }
+  if (*info.orNumber != '\0') choices += ", a number above 0";
   if (!choices.empty()) return choices;
   const std::string zero = info.scale == SliderScale::LogZero ? "0, " : "";
   const std::string unit = *info.unit == '\0' ? "" : std::string(" ") + info.unit;

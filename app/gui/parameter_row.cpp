@@ -156,6 +156,19 @@ void numberControl(const Ui& ui, const ParameterInfo& info, double value, bool c
   barSlider(ui, slider, width);
 }
 
+/// A number instead of one of the choices, taken when it has been typed.
+void numberField(const Ui& ui, const ParameterInfo& info, const std::string& value) {
+  char text[32] = "";
+  std::snprintf(text, sizeof text, "%s", std::atof(value.c_str()) > 0 ? value.c_str() : "");
+  const bool done = ImGui::InputTextWithHint(
+      (std::string("##") + info.id + " number").c_str(), info.orNumber, text, sizeof text,
+      ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_EnterReturnsTrue);
+  ui.probe.item(std::string(info.id) + "/number");
+  if (!done) return;
+  ui.run(setLine(info, text, false));
+  ImGui::CloseCurrentPopup();
+}
+
 void choiceControl(const Ui& ui, const ParameterInfo& info, const std::string& value, float width) {
   const auto present =
       std::find_if(info.choices.begin(), info.choices.end(),
@@ -171,6 +184,7 @@ void choiceControl(const Ui& ui, const ParameterInfo& info, const std::string& v
     }
     ui.probe.item(std::string(info.id) + '/' + choice.id);
   }
+  if (*info.orNumber != '\0') numberField(ui, info, value);
   ImGui::EndCombo();
 }
 

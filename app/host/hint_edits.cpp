@@ -144,12 +144,16 @@ void paintHints(AppState& state, HintBrush brush, std::span<const Index> inputVe
     edges.emplace_back(std::min(a, b), std::max(a, b));
   }
   std::sort(edges.begin(), edges.end());
+  // Vertices of the file that were joined have one name.
+  const auto standIn = [&](Index v) {
+    return v < mesh.input().positions.size() ? mesh.standIn(v) : v;
+  };
   EdgeHints hints = state.document().hints;
   for (std::size_t i = 0; i + 1 < inputVertices.size(); ++i) {
-    const Index a = inputVertices[i], b = inputVertices[i + 1];
+    const auto [a, b] = std::pair(standIn(inputVertices[i]), standIn(inputVertices[i + 1]));
     if (!isEdge(edges, a, b)) {
-      throw Refusal("The model has no edge between vertices " + std::to_string(a) + " and " +
-                    std::to_string(b) + '.');
+      throw Refusal("The model has no edge between vertices " + std::to_string(inputVertices[i]) +
+                    " and " + std::to_string(inputVertices[i + 1]) + '.');
     }
     if (brush != HintBrush::Erase) {
       addHint(hints, a, b, brush == HintBrush::Cut ? HintKind::Cut : HintKind::Never);

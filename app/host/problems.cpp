@@ -226,11 +226,7 @@ void addNonManifold(const Results& results, std::vector<Problem>& out) {
                    [](const Repair& r) { return r.what == "non-manifold-edges"; })) {
     return;
   }
-  const std::vector<Index>& weld = mesh.input().weld;
-  const auto inputVertex = [&](Index vertex) {
-    const Index v = mesh.inputVertex(vertex);
-    return weld.empty() ? v : weld[v];
-  };
+  const auto inputVertex = [&](Index vertex) { return mesh.inputVertex(vertex); };
   using Ends = std::pair<Index, Index>;
   std::vector<std::pair<Ends, Index>> sides;
   for (Index side = 0; side < mesh.opposite().size(); ++side) {

@@ -59,7 +59,7 @@ std::vector<ChartSurface> cutOut(const Mesh& mesh, std::span<const Index> label,
       const Index other = mesh.opposite()[s.meshSide(side)];
       if (other == kNone || chartOf(other / 3) != chartOf(t)) continue;
       s.opposite[side] = 3 * local[other / 3] + other % 3;
-      if (!s.diagonal.empty()) s.diagonal[side] = mesh.faceOf(other / 3) == mesh.faceOf(t);
+      if (!s.diagonal.empty()) s.diagonal[side] = mesh.isDiagonal(s.meshSide(side));
     }
   }
   return surfaces;

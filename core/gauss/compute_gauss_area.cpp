@@ -61,8 +61,9 @@ double edgeAreas(const Mesh& mesh, const SectorNormals& sectors,
     const std::array<glm::dvec3, 4> quad = {
         sectors.at(mesh, Mesh::nextSide(left)), sectors.at(mesh, left),
         sectors.at(mesh, Mesh::nextSide(right)), sectors.at(mesh, right)};
-    out.edge[i] = absolutePolygonArea(quad);
-    return signedPolygonArea(quad);
+    const PolygonArea area = polygonArea(quad);
+    out.edge[i] = area.absolute;
+    return area.signedArea;
   });
 }
 
@@ -77,8 +78,9 @@ double cornerAreas(const SectorNormals& sectors, GaussArea& out) {
     const std::span<const glm::dvec3> polygon(sectors.sector.data() + corners[i].firstSector,
                                               corners[i].sectorCount);
     out.corners[i] = corners[i].vertex;
-    out.corner[i] = absolutePolygonArea(polygon);
-    return signedPolygonArea(polygon);
+    const PolygonArea area = polygonArea(polygon);
+    out.corner[i] = area.absolute;
+    return area.signedArea;
   });
 }
 

@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kSectorBlock = 1 << 13;
 constexpr std::size_t kParallelTriangles = 50000;  // from which sums are made in parts
 constexpr std::size_t kSectorParts = 4;
+constexpr double kCancelled = 1e-10;  // of its vectors' lengths: a sum that vanishes
 
 /// Edge vectors of a corner: to the next and to the previous vertex of the triangle.
 struct Corner {
@@ -29,36 +30,56 @@ Corner cornerAt(const Mesh& mesh, Index side) {
           positions[mesh.sideStart(Mesh::previousSide(side))] - here};
 }
 
-/// False for sums that vanish or are beyond all numbers.
-bool normalised(const glm::dvec3& sum, glm::dvec3& normal) {
-  const double length = glm::length(sum);
-  if (!(length > 0) || !std::isfinite(length)) return false;
-  normal = sum / length;
-  return true;
-}
+/// A sum of vectors and of their lengths. What rounding leaves of vectors that cancel hangs on their
+/// order and is no direction.
+struct NormalSum {
+  glm::dvec3 sum{0};
+  double lengths = 0;
 
-/// For sums that vanish: plain unit normals, then any, then upwards.
+  void add(const glm::dvec3& vector, double length) {
+    sum += vector;
+    lengths += length;
+  }
+  /// False for sums that vanish or are beyond all numbers.
+  bool normalised(glm::dvec3& normal) const {
+    const double length = glm::length(sum);
+    if (!(length > kCancelled * lengths) || !std::isfinite(length)) return false;
+    normal = sum / length;
+    return true;
+  }
+};
+
+/// For sums that vanish: plain unit normals, then the one that looks most to a side that no model is
+/// built along, then upwards.
 glm::dvec3 fallbackNormal(const Mesh& mesh, std::span<const Index> sides) {
-  glm::dvec3 sum(0), any(0, 0, 1);
+  const glm::dvec3 aside(0.2617, 0.4189, 0.8693);
+  NormalSum sum;
+  glm::dvec3 any(0, 0, 1), normal;
+  double most = -2;
   for (const Index side : sides) {
     if (mesh.degenerate(side / 3)) continue;
     const Corner c = cornerAt(mesh, side);
-    any = glm::normalize(glm::cross(c.next, c.previous));
-    sum += any;
+    const glm::dvec3 unit = glm::normalize(glm::cross(c.next, c.previous));
+    sum.add(unit, 1);
+    if (glm::dot(unit, aside) <= most) continue;
+    most = glm::dot(unit, aside);
+    any = unit;
   }
-  const double length = glm::length(sum);
-  return length > 1e-12 ? sum / length : any;
+  return sum.normalised(normal) ? normal : any;
 }
 
 glm::dvec3 sectorNormal(const Mesh& mesh, std::span<const Index> sides) {
-  glm::dvec3 sum(0), normal;
+  NormalSum sum;
+  glm::dvec3 normal;
   for (const Index side : sides) {
     if (mesh.degenerate(side / 3)) continue;
     const Corner c = cornerAt(mesh, side);
     const double weight = glm::dot(c.next, c.next) * glm::dot(c.previous, c.previous);
-    if (weight > 0) sum += glm::cross(c.next, c.previous) * (1 / weight);
+    if (!(weight > 0)) continue;
+    const glm::dvec3 vector = glm::cross(c.next, c.previous) * (1 / weight);
+    sum.add(vector, glm::length(vector));
   }
-  return normalised(sum, normal) ? normal : fallbackNormal(mesh, sides);
+  return sum.normalised(normal) ? normal : fallbackNormal(mesh, sides);
 }
 
 /// Sides that leave a vertex, counter-clockwise.
@@ -84,11 +105,11 @@ class FanSums {
     });
   }
 
-  glm::dvec3 at(Index vertex) const {
-    glm::dvec3 sum(0);
+  NormalSum at(Index vertex) const {
+    NormalSum sum;
     for (const Part& part : parts_) {
       const std::size_t place = vertex - part.first;  // huge where the part begins behind it
-      if (place < part.sum.size()) sum += part.sum[place];
+      if (place < part.sum.size()) sum.add(part.sum[place].sum, part.sum[place].lengths);
     }
     return sum;
   }
@@ -97,7 +118,7 @@ class FanSums {
   /// Sums of the vertices from `first` on, as many as the part reaches.
   struct Part {
     std::size_t first = 0;
-    std::vector<glm::dvec3> sum;
+    std::vector<NormalSum> sum;
   };
 
   void addUp(std::size_t begin, std::size_t end, Part& part) const {
@@ -111,21 +132,24 @@ class FanSums {
     }
     if (triangles.empty()) return;
     part.first = least;
-    part.sum.assign(std::size_t{most} - least + 1, glm::dvec3(0));
+    part.sum.assign(std::size_t{most} - least + 1, NormalSum{});
     for (std::size_t t = begin; t < end; ++t) {
-      if (!mesh_.degenerate(static_cast<Index>(t))) addTriangle(mesh_.triangles()[t], part);
+      if (!mesh_.degenerate(static_cast<Index>(t))) addTriangle(t, part);
     }
   }
 
-  void addTriangle(const std::array<Index, 3>& v, Part& part) const {
+  void addTriangle(std::size_t triangle, Part& part) const {
+    const auto& v = mesh_.triangles()[triangle];
     const auto positions = mesh_.positions();
     const glm::dvec3 a = positions[v[1]] - positions[v[0]];
     const glm::dvec3 b = positions[v[2]] - positions[v[1]];
     const glm::dvec3 c = positions[v[0]] - positions[v[2]];
     const double aa = glm::dot(a, a), bb = glm::dot(b, b), cc = glm::dot(c, c);
     const glm::dvec3 normal = glm::cross(a, b);
+    const double length = 2 * mesh_.triangleArea()[triangle];
     const auto add = [&](Index vertex, double weight) {
-      if (weight > 0) part.sum[vertex - part.first] += normal * (1 / weight);
+      if (!(weight > 0)) return;
+      part.sum[vertex - part.first].add(normal * (1 / weight), length * (1 / weight));
     };
     add(v[0], aa * cc);
     add(v[1], aa * bb);
@@ -184,7 +208,7 @@ SectorNormals computeSectorNormals(const Mesh& mesh, std::span<const std::uint8_
     for (std::size_t i = begin; i < end; ++i) {
       const Index vertex = static_cast<Index>(i);
       if (mesh.vertexSide()[vertex] == kNone || isSplit(vertex)) continue;
-      if (normalised(sums.at(vertex), out.vertex[i])) continue;
+      if (sums.at(vertex).normalised(out.vertex[i])) continue;
       collectFan(mesh, vertex, fan);
       out.vertex[i] = fallbackNormal(mesh, fan);
     }

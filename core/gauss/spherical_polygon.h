@@ -12,15 +12,19 @@ namespace chartflood {
 /// that leave it undefined has area 0.
 double signedTriangleArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// Sum of the signed triangles of the fan from the first corner.
-double signedPolygonArea(std::span<const glm::dvec3> corners);
+/// Area of a closed polygon of unit vectors, its sides the shorter arcs.
+struct PolygonArea {
+  double absolute = 0;   ///< integral of |winding number|, at most 4 pi
+  double signedArea = 0;  ///< integral of the winding number
+};
 
-/// Integral of |dA| over a closed polygon of unit vectors, in [0, 4 pi].
+/// The paper is silent about polygons that cross themselves. Here every point of the sphere counts
+/// as often as the polygon runs around it: a bow-tie has the area of both wings. Winding numbers on
+/// a sphere are known up to a constant, which is the one that makes `absolute` least (a simple loop
+/// bounds the smaller of its two sides); of equals, the one with the larger signed area.
 ///
-/// The paper is silent about polygons that cross themselves: here the loop is split wherever two of
-/// its arcs cross properly and the areas of the simple loops are added, which for a bow-tie is the
-/// absolute area of both wings. A simple loop has area min(A, 4 pi - A) of its signed area.
-/// Cost: linear for triangles, quadratic in the number of corners.
-double absolutePolygonArea(std::span<const glm::dvec3> corners);
+/// Neither value depends on the corner that the polygon begins with, beyond rounding.
+/// Cost: linear for up to four corners; else quadratic, and with c crossings c times the corners.
+PolygonArea polygonArea(std::span<const glm::dvec3> corners);
 
 }  // namespace chartflood

@@ -35,49 +35,22 @@ std::vector<Index> trianglePlaces(const ChartedMesh& m, std::span<const Index> b
   return place;
 }
 
-/// One face of the input and the first of its triangles' places.
-struct Polygon {
-  std::span<const Index> vertices;  ///< of the input
-  std::span<const Index> weld;      ///< empty: every vertex stands for itself
-  std::span<const Index> triangles;
-  std::span<Index> corners;  ///< out
-
-  Index vertex(std::size_t i) const { return weld.empty() ? vertices[i] : weld[vertices[i]]; }
-};
-
-/// Walks the fan as buildMesh() made it.
-void placeFan(const Polygon& p) {
-  const auto give = [&](std::size_t corner, Index place) {
-    if (p.corners[corner] == kNone) p.corners[corner] = place;
-  };
-  std::size_t next = 0;
-  for (std::size_t i = 1; i + 1 < p.vertices.size(); ++i) {
-    const Index a = p.vertex(0), b = p.vertex(i), c = p.vertex(i + 1);
-    if (a == b || b == c || c == a) continue;
-    give(0, p.triangles[next]);
-    give(i, p.triangles[next + 1]);
-    give(i + 1, p.triangles[next + 2]);
-    next += 3;
-  }
-  CF_CHECK(next == p.triangles.size());
-}
-
-/// Corners that no triangle of the fan has.
-void placeTheRest(const Polygon& p) {
-  const std::size_t count = p.corners.size();
+/// Corners of one polygon of the input that no triangle has: vertices that are repeated.
+void placeTheRest(std::span<const Index> vertices, std::span<Index> corners) {
+  const std::size_t count = corners.size();
   std::vector<Index> extra(count, kNone);
   for (std::size_t i = 0; i < count; ++i) {
-    if (p.corners[i] != kNone) continue;
+    if (corners[i] != kNone) continue;
     for (std::size_t j = 0; j < count && extra[i] == kNone; ++j) {
-      if (p.vertex(j) == p.vertex(i)) extra[i] = p.corners[j];
+      if (vertices[j] == vertices[i]) extra[i] = corners[j];
     }
     // A spike that runs to a vertex and back has no area in the texture either.
     for (std::size_t back = 1; back < count && extra[i] == kNone; ++back) {
-      extra[i] = p.corners[(i + count - back) % count];
+      extra[i] = corners[(i + count - back) % count];
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
-    if (p.corners[i] == kNone) p.corners[i] = extra[i];
+    if (corners[i] == kNone) corners[i] = extra[i];
   }
 }
 
@@ -108,7 +81,7 @@ ChartPlaces chartPlaces(const ChartedMesh& m) {
   }
   std::vector<Index> places = trianglePlaces(m, out.begin);
   const std::vector<Index> meshFace = meshFaces(m.mesh);
-  if (input.faceStart.empty() && meshFace.empty()) {
+  if (m.mesh.cornersAsInput()) {
     // Corners of the input are those of the mesh's triangles.
     out.chart.assign(m.label.begin(), m.label.end());
     out.corner = std::move(places);
@@ -127,12 +100,15 @@ ChartPlaces chartPlaces(const ChartedMesh& m) {
       out.chart[f] = m.label[face];
       const std::span<const Index> vertices = input.face(f);
       const std::size_t corner = static_cast<std::size_t>(vertices.data() - input.corners.data());
-      const std::size_t begin = 3 * m.mesh.triangleBegin(face);
-      const std::size_t size = 3 * m.mesh.triangleBegin(face + 1) - begin;
-      const Polygon polygon{vertices, input.weld, std::span(places).subspan(begin, size),
-                            std::span(out.corner).subspan(corner, vertices.size())};
-      placeFan(polygon);
-      if (size != 3 * (vertices.size() - 2)) placeTheRest(polygon);
+      const Index end = 3 * m.mesh.triangleBegin(face + 1);
+      for (Index side = 3 * m.mesh.triangleBegin(face); side < end; ++side) {
+        out.corner[m.mesh.inputCorner(side)] = places[side];
+      }
+      const std::size_t count = vertices.size();
+      const std::size_t triangles = (end - 3 * m.mesh.triangleBegin(face)) / 3;
+      if (triangles + 2 != count) {
+        placeTheRest(vertices, std::span(out.corner).subspan(corner, count));
+      }
     }
   });
   return out;

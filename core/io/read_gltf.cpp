@@ -22,7 +22,6 @@
 #include "core/io/face_builder.h"
 #include "core/io/file_bytes.h"
 #include "core/io/gltf_accessor.h"
-#include "core/io/weld.h"
 
 namespace chartflood {
 
@@ -209,7 +208,6 @@ InputMesh GltfReader::read() {
   if (out_.faceCount() == 0) {
     source_.fail(model_.meshes.empty() ? "it has no meshes" : "none of its nodes shows triangles");
   }
-  out_.weld = joinEqualPositions(out_.positions);
   addRepairs();
   return std::move(out_);
 }

@@ -25,6 +25,12 @@ std::vector<std::pair<Index, Index>> edgesOf(const Mesh& mesh) {
   return edges;
 }
 
+/// The vertex that the mesh knows a vertex of the file by.
+Index standIn(const Mesh& mesh, std::int64_t vertex) {
+  const bool exists = vertex < static_cast<std::int64_t>(mesh.input().positions.size());
+  return exists ? mesh.standIn(static_cast<Index>(vertex)) : kNone;
+}
+
 }  // namespace
 
 EdgeHints readHints(const std::filesystem::path& file, const Mesh& mesh) {
@@ -44,9 +50,11 @@ EdgeHints readHints(const std::filesystem::path& file, const Mesh& mesh) {
     const std::int64_t a = rows.integer("the number of a vertex");
     const std::int64_t b = rows.integer("the number of a vertex");
     const bool fits = std::min(a, b) >= 0 && std::max(a, b) < std::int64_t{kNone};
-    const auto edge =
-        fits ? std::pair(static_cast<Index>(std::min(a, b)), static_cast<Index>(std::max(a, b)))
-             : std::pair(kNone, kNone);
+    auto edge = std::pair(kNone, kNone);
+    if (fits) {
+      const Index from = standIn(mesh, a), to = standIn(mesh, b);
+      edge = {std::min(from, to), std::max(from, to)};
+    }
     if (!std::binary_search(edges.begin(), edges.end(), edge)) {
       source.failAtLine(line, "names vertices " + std::to_string(a) + " and " + std::to_string(b) +
                                   ", between which the mesh has no edge");

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/io/file_bytes.h"
 #include "core/io/mesh_formats.h"
@@ -19,7 +18,6 @@
 #include "core/io/read_ply.h"
 #include "core/io/read_stl.h"
 #include "core/io/source.h"
-#include "core/io/weld.h"
 
 namespace chartflood {
 
@@ -90,19 +88,6 @@ InputMesh readAs(std::string_view format, const Source& source) {
   return readAssimp(source, format);
 }
 
-/// Joins the faces of files that list each face with vertices of its own.
-void joinUnsharedFaces(InputMesh& mesh) {
-  if (!mesh.weld.empty() || !isUnshared(mesh)) return;
-  mesh.weld = joinEqualPositions(mesh.positions);
-  std::size_t joined = 0;
-  for (std::size_t v = 0; v < mesh.weld.size(); ++v) joined += mesh.weld[v] != v ? 1 : 0;
-  if (joined == 0) return;
-  mesh.repairs.push_back({"unshared-vertices-welded", joined,
-                          "No two faces share a vertex; " +
-                              counted(joined, "vertex was", "vertices were") +
-                              " joined with another at the same place."});
-}
-
 }  // namespace
 
 std::shared_ptr<const InputMesh> readMesh(const std::filesystem::path& file, Progress* progress) {
@@ -119,7 +104,6 @@ std::shared_ptr<const InputMesh> readMesh(const std::filesystem::path& file, Pro
       source.fail("it has more than 4 billion vertices or corners");
     }
     mesh.shrink();
-    joinUnsharedFaces(mesh);
     if (progress != nullptr) progress->setFraction(1);
     return std::make_shared<const InputMesh>(std::move(mesh));
   } catch (const std::bad_alloc&) {

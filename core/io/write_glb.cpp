@@ -110,9 +110,12 @@ void Collector::fill(const Part& part) {
     out_.texture[at] = glm::dvec2(uv.x, 1 - uv.y);
   }
   for (std::size_t t = 0; t < s.triangleCount(); ++t) {
+    // Faces that were turned over run as in the file again.
+    const bool turned = mesh_.turned(mesh_.faceOf(s.meshTriangle[t]));
     for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t corner = turned && i > 0 ? 3 - i : i;
       out_.corner[3 * (part.firstTriangle + t) + i] =
-          static_cast<std::uint32_t>(part.firstVertex + s.triangles[t][i]);
+          static_cast<std::uint32_t>(part.firstVertex + s.triangles[t][corner]);
     }
   }
   fillNormals(part);

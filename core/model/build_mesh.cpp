@@ -8,10 +8,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/base/check.h"
 #include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/model/glue_edges.h"
+#include "core/model/orient_faces.h"
+#include "core/model/triangulate_faces.h"
+#include "core/model/weld_borders.h"
 
 namespace chartflood {
 
@@ -21,96 +24,21 @@ constexpr std::size_t kMeshBlock = 1 << 14;
 
 /// What gluing found, counted for the import report.
 struct Findings {
-  std::size_t droppedTriangles = 0;
-  std::size_t emptyFaces = 0;
+  TriangulationFindings triangulation;
   std::size_t nonManifoldEdges = 0;
   std::size_t flippedEdges = 0;
+  std::size_t turnedFaces = 0;
+  std::size_t joinedVertices = 0;
   std::size_t splitVertices = 0;
   std::size_t degenerateTriangles = 0;
+  std::size_t loneFaces = 0;
+  std::size_t isolatedVertices = 0;
+  std::vector<Index> brokenTriangles;  ///< with an edge that could not be glued
 };
 
-Index welded(const InputMesh& input, Index vertex) {
-  return input.weld.empty() ? vertex : input.weld[vertex];
-}
-
-/// Fans every polygon from its first corner. `opposite` gets the diagonals of polygons, which glue
-/// whatever else the mesh does at the same pair of vertices.
-void triangulate(const InputMesh& input, MeshData& d, Findings& found) {
-  const std::size_t inputFaces = input.faceCount();
-  if (inputFaces > kNone / 4) throw ReadError(input.file, "it has too many faces");
-  d.triangles.reserve(input.corners.size() / 3);
-  bool identity = true;  // each input face is one triangle
-  std::vector<Index> faceOfTriangle, triangleBegin, inputFace, polygon;
-  std::vector<std::pair<Index, Index>> diagonals;
-  const auto leaveIdentity = [&](std::size_t facesSoFar) {
-    identity = false;
-    faceOfTriangle.resize(facesSoFar);
-    triangleBegin.resize(facesSoFar);
-    inputFace.resize(facesSoFar);
-    for (std::size_t i = 0; i < facesSoFar; ++i) {
-      faceOfTriangle[i] = triangleBegin[i] = inputFace[i] = static_cast<Index>(i);
-    }
-  };
-  for (std::size_t f = 0; f < inputFaces; ++f) {
-    const std::span<const Index> corners = input.face(f);
-    polygon.clear();
-    for (const Index corner : corners) {
-      CF_CHECK(corner < input.positions.size());
-      polygon.push_back(welded(input, corner));
-    }
-    const std::size_t first = d.triangles.size();
-    bool previousKept = false;
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-      const Index a = polygon[0], b = polygon[i], c = polygon[i + 1];
-      if (a == b || b == c || c == a) {
-        ++found.droppedTriangles;
-        // A corner listed twice in a row leaves the diagonal where it was.
-        previousKept = previousKept && b == c;
-        continue;
-      }
-      const Index triangle = static_cast<Index>(d.triangles.size());
-      if (previousKept) diagonals.emplace_back(3 * (triangle - 1) + 2, 3 * triangle);
-      d.triangles.push_back({a, b, c});
-      previousKept = true;
-    }
-    const std::size_t made = d.triangles.size() - first;
-    if (identity && made != 1) leaveIdentity(f);
-    if (made == 0) {
-      ++found.emptyFaces;
-      continue;
-    }
-    if (!identity) {
-      const Index face = static_cast<Index>(triangleBegin.size());
-      triangleBegin.push_back(static_cast<Index>(first));
-      inputFace.push_back(static_cast<Index>(f));
-      faceOfTriangle.insert(faceOfTriangle.end(), made, face);
-    }
-  }
-  if (d.triangles.empty()) {
-    throw ReadError(input.file, input.faceCount() == 0
-                                    ? "it has no faces"
-                                    : "none of its faces has three different corners");
-  }
-  d.faceCount = identity ? d.triangles.size() : triangleBegin.size();
-  if (!identity) {
-    triangleBegin.push_back(static_cast<Index>(d.triangles.size()));
-    const bool dropped = d.faceCount != inputFaces;
-    const bool polygons = d.faceCount != d.triangles.size();
-    if (dropped) d.inputFace = std::move(inputFace);
-    if (polygons) {
-      d.faceOfTriangle = std::move(faceOfTriangle);
-      d.triangleBegin = std::move(triangleBegin);
-    }
-  }
-  d.opposite.assign(3 * d.triangles.size(), kNone);
-  for (const auto& [side, other] : diagonals) {
-    d.opposite[side] = other;
-    d.opposite[other] = side;
-  }
-}
-
 /// Moves the used vertices to the centre of their bounding box and scales its diagonal to 1.
-void normalise(const InputMesh& input, MeshData& d) {
+/// \returns how many are not used
+std::size_t normalise(const InputMesh& input, MeshData& d) {
   const std::size_t count = input.positions.size();
   std::vector<bool> used(count, false);
   for (const auto& triangle : d.triangles) {
@@ -146,77 +74,65 @@ void normalise(const InputMesh& input, MeshData& d) {
       d.positions[v] = used[v] ? (input.positions[v] - d.center) / d.scale : glm::dvec3(0);
     }
   });
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
-/// Finds for each side the one across its edge: sides are counted into lists by their smaller
-/// vertex, and each short list is searched for equal larger vertices.
-void glueEdges(MeshData& d, std::size_t vertexCount, Findings& found) {
-  struct Entry {
-    Index larger;
-    Index side;
-  };
-  const std::size_t sides = d.opposite.size();
-  const auto endpoints = [&](std::size_t side) {
-    const auto& t = d.triangles[side / 3];
-    return std::pair<Index, Index>(t[side % 3], t[(side + 1) % 3]);
-  };
-  std::vector<Index> start(vertexCount + 1, 0);
-  for (std::size_t s = 0; s < sides; ++s) {
-    if (d.opposite[s] != kNone) continue;
-    const auto [a, b] = endpoints(s);
-    ++start[std::min(a, b) + 1];
+/// Glues what belongs together, by vertices, then by places, then with faces turned over.
+/// \returns whether vertices of the input were joined
+bool glue(const InputMesh& input, double weld, MeshData& d, Findings& found) {
+  GlueFindings edges = glueEdges(d, input.positions.size());
+  const bool joined = weld >= 0 && weldBorders(d, input.positions, weld, edges.conflicts);
+  std::sort(d.slits.begin(), d.slits.end());
+  found.turnedFaces = orientFaces(d, edges.conflicts);
+  found.nonManifoldEdges = edges.nonManifoldEdges;
+  found.flippedEdges = edges.conflicts.size();
+  for (const Index side : edges.nonManifoldSides) found.brokenTriangles.push_back(side / 3);
+  for (const auto& [a, b] : edges.conflicts) {
+    found.brokenTriangles.push_back(a / 3);
+    found.brokenTriangles.push_back(b / 3);
   }
-  for (std::size_t v = 0; v < vertexCount; ++v) start[v + 1] += start[v];
-  std::vector<Entry> entries(start[vertexCount]);
-  {
-    std::vector<Index> next(start.begin(), start.end() - 1);
-    for (std::size_t s = 0; s < sides; ++s) {
-      if (d.opposite[s] != kNone) continue;
-      const auto [a, b] = endpoints(s);
-      entries[next[std::min(a, b)]++] = {std::max(a, b), static_cast<Index>(s)};
-    }
-  }
-  const auto less = [](const Entry& x, const Entry& y) {
-    return x.larger != y.larger ? x.larger < y.larger : x.side < y.side;
-  };
-  const std::size_t blocks = (vertexCount + kMeshBlock - 1) / kMeshBlock;
-  std::vector<std::array<std::size_t, 3>> counts(blocks, {0, 0, 0});
-  parallelFor(blocks, [&](std::size_t block) {
-    const std::size_t last = std::min((block + 1) * kMeshBlock, vertexCount);
-    for (std::size_t v = block * kMeshBlock; v < last; ++v) {
-      Entry* const begin = entries.data() + start[v];
-      Entry* const end = entries.data() + start[v + 1];
-      std::sort(begin, end, less);
-      for (Entry* run = begin; run < end;) {
-        Entry* stop = run + 1;
-        while (stop < end && stop->larger == run->larger) ++stop;
-        ++counts[block][0];
-        if (stop - run == 2) {
-          const bool forward0 = d.triangles[run[0].side / 3][run[0].side % 3] == v;
-          const bool forward1 = d.triangles[run[1].side / 3][run[1].side % 3] == v;
-          if (forward0 != forward1) {
-            d.opposite[run[0].side] = run[1].side;
-            d.opposite[run[1].side] = run[0].side;
-          } else {
-            ++counts[block][2];
-          }
-        } else if (stop - run > 2) {
-          ++counts[block][1];
-        }
-        run = stop;
-      }
-    }
+  return joined;
+}
+
+/// Walks the fan of triangles around the start of a side, from `first` on.
+template <class Visit>
+void aroundFan(const MeshData& d, Index first, const Visit& visit) {
+  Index side = first;
+  do {
+    visit(side);
+    side = d.opposite[Mesh::previousSide(side)];
+  } while (side != kNone && side != first);
+}
+
+/// The vertex of a fan: the smallest of its corners' that no fan has yet; kNone when all are given.
+Index freeVertex(const MeshData& d, Index first) {
+  Index vertex = kNone;
+  aroundFan(d, first, [&](Index side) {
+    const Index corner = d.triangles[side / 3][side % 3];
+    if (d.vertexSide[corner] == kNone) vertex = std::min(vertex, corner);
   });
-  for (const auto& c : counts) {
-    found.nonManifoldEdges += c[1];
-    found.flippedEdges += c[2];
+  return vertex;
+}
+
+/// One more vertex at the place of another.
+Index copyVertex(MeshData& d, Index of) {
+  if (d.inputVertex.empty()) {
+    d.inputVertex.resize(d.positions.size());
+    for (std::size_t v = 0; v < d.positions.size(); ++v) d.inputVertex[v] = static_cast<Index>(v);
   }
+  const glm::dvec3 position = d.positions[of];
+  d.positions.push_back(position);
+  d.inputVertex.push_back(d.inputVertex[of]);
+  d.vertexSide.push_back(kNone);
+  return static_cast<Index>(d.positions.size() - 1);
 }
 
 /// Gives every fan of triangles a vertex of its own, and each vertex the first side of its fan.
-void splitFans(const InputMesh& input, MeshData& d, Findings& found) {
-  const std::size_t sides = d.opposite.size();
-  d.vertexSide.assign(d.positions.size(), kNone);
+/// \param joined fans may have corners of several vertices
+void splitFans(bool joined, MeshData& d, Findings& found) {
+  const std::size_t sides = d.opposite.size(), inputs = d.positions.size();
+  d.vertexSide.assign(inputs, kNone);
+  if (joined) d.standIn.assign(inputs, kNone);
   std::vector<bool> visited(sides, false);
   const auto turnBack = [&](Index side) {
     const Index other = d.opposite[side];
@@ -227,31 +143,29 @@ void splitFans(const InputMesh& input, MeshData& d, Findings& found) {
     Index first = s;
     for (Index back = turnBack(s); back != kNone && back != s; back = turnBack(back)) first = back;
     if (turnBack(first) != kNone) first = s;  // a closed fan starts where it was met
-    const Index old = d.triangles[s / 3][s % 3];
-    Index vertex = old;
-    if (d.vertexSide[old] != kNone) {
+    Index vertex = d.triangles[s / 3][s % 3];
+    if (joined) {
+      const Index free = freeVertex(d, first);
+      if (free != kNone) vertex = free;
+    }
+    if (d.vertexSide[vertex] != kNone) {
       ++found.splitVertices;
-      if (d.inputVertex.empty()) {
-        d.inputVertex.resize(d.positions.size());
-        for (std::size_t v = 0; v < d.positions.size(); ++v) {
-          d.inputVertex[v] = static_cast<Index>(v);
-        }
-      }
-      vertex = static_cast<Index>(d.positions.size());
-      const glm::dvec3 position = d.positions[old];
-      d.positions.push_back(position);
-      d.inputVertex.push_back(d.inputVertex[old]);
-      d.vertexSide.push_back(kNone);
+      vertex = copyVertex(d, vertex);
     }
     d.vertexSide[vertex] = first;
-    Index side = first;
-    do {
+    aroundFan(d, first, [&](Index side) {
       visited[side] = true;
-      d.triangles[side / 3][side % 3] = vertex;
-      side = d.opposite[Mesh::previousSide(side)];
-    } while (side != kNone && side != first);
+      Index& corner = d.triangles[side / 3][side % 3];
+      if (joined && corner < inputs && d.standIn[corner] == kNone) {
+        d.standIn[corner] = d.inputVertex.empty() ? vertex : d.inputVertex[vertex];
+      }
+      corner = vertex;
+    });
   }
-  CF_CHECK(input.positions.size() <= d.positions.size());
+  for (Index v = 0; v < d.standIn.size(); ++v) {
+    if (d.standIn[v] == kNone) d.standIn[v] = v;
+    if (d.standIn[v] != v) ++found.joinedVertices;
+  }
 }
 
 void measure(MeshData& d, Findings& found) {
@@ -316,50 +230,72 @@ void countEdgesAndLoops(MeshData& d) {
   d.edgeCount = (sides + borders) / 2;
 }
 
-void report(const Findings& found, std::size_t isolated, MeshData& d) {
+/// Parts of one face that an edge which could not be glued has left alone.
+std::size_t countLoneFaces(const MeshData& d, std::span<const Index> brokenTriangles) {
+  if (brokenTriangles.empty()) return 0;
+  std::vector<Index> size(d.componentCount, 0);
+  for (const Index component : d.faceComponent) ++size[component];
+  std::size_t lone = 0;
+  for (const Index t : brokenTriangles) {
+    Index& faces = size[d.faceComponent[d.faceOfTriangle.empty() ? t : d.faceOfTriangle[t]]];
+    lone += faces == 1 ? 1 : 0;
+    if (faces == 1) faces = 0;  // counted
+  }
+  return lone;
+}
+
+void report(const Findings& found, MeshData& d) {
   const auto add = [&](const char* what, std::size_t count, const char* one, const char* many) {
     if (count > 0) d.repairs.push_back({what, count, counted(count, one, many) + "."});
   };
-  add("dropped-triangles", found.droppedTriangles, "triangle repeats a corner and was dropped",
-      "triangles repeat a corner and were dropped");
-  add("dropped-faces", found.emptyFaces, "face has fewer than three corners and was left out",
+  add("dropped-triangles", found.triangulation.droppedTriangles,
+      "triangle repeats a corner and was dropped", "triangles repeat a corner and were dropped");
+  add("dropped-faces", found.triangulation.emptyFaces,
+      "face has fewer than three corners and was left out",
       "faces have fewer than three corners and were left out");
+  add("welded-vertices", found.joinedVertices,
+      "vertex was joined with another at the same place; exports keep it",
+      "vertices were joined with others at the same places; exports keep them");
+  add("turned-faces", found.turnedFaces,
+      "face runs against its neighbours and was turned over; exports keep it as it is",
+      "faces run against their neighbours and were turned over; exports keep them as they are");
   add("non-manifold-edges", found.nonManifoldEdges,
       "edge belongs to more than two faces and was split into borders",
       "edges belong to more than two faces and were split into borders");
   add("inconsistent-edges", found.flippedEdges,
       "edge joins faces of opposite orientation and was split into borders",
       "edges join faces of opposite orientation and were split into borders");
+  add("lone-faces", found.loneFaces, "face is a part of its own because such edges surround it",
+      "faces are parts of their own because such edges surround them");
   add("split-vertices", found.splitVertices, "vertex was copied so that each fan has its own",
       "vertices were copied so that each fan has its own");
   add("degenerate-triangles", found.degenerateTriangles,
       "triangle has no area and follows its neighbours",
       "triangles have no area and follow their neighbours");
-  add("isolated-vertices", isolated, "vertex is used by no face", "vertices are used by no face");
+  add("isolated-vertices", found.isolatedVertices, "vertex is used by no face",
+      "vertices are used by no face");
 }
 
 }  // namespace
 
-std::shared_ptr<const Mesh> buildMesh(std::shared_ptr<const InputMesh> input) {
+std::shared_ptr<const Mesh> buildMesh(std::shared_ptr<const InputMesh> input, double weld) {
   MeshData d;
   Findings found;
-  triangulate(*input, d, found);
-  normalise(*input, d);
-  glueEdges(d, input->positions.size(), found);
-  splitFans(*input, d, found);
+  found.triangulation = triangulateFaces(*input, weld >= 0, d);
+  found.isolatedVertices = normalise(*input, d);
+  const bool joined = glue(*input, weld, d, found);
+  splitFans(joined, d, found);
   measure(d, found);
   findComponents(d);
   countEdgesAndLoops(d);
-  std::size_t isolated = 0;
-  for (std::size_t v = 0; v < input->positions.size(); ++v) {
-    const bool alias = !input->weld.empty() && input->weld[v] != v;
-    isolated += d.vertexSide[v] == kNone && !alias ? 1 : 0;
-  }
+  found.loneFaces = countLoneFaces(d, found.brokenTriangles);
   d.repairs = input->repairs;
   // Readers may have named isolated vertices already.
-  const bool known = std::any_of(d.repairs.begin(), d.repairs.end(),
-                                 [](const Repair& r) { return r.what == "isolated-vertices"; });
-  report(found, known ? 0 : isolated, d);
+  if (std::any_of(d.repairs.begin(), d.repairs.end(),
+                  [](const Repair& r) { return r.what == "isolated-vertices"; })) {
+    found.isolatedVertices = 0;
+  }
+  report(found, d);
   d.input = std::move(input);
   return std::make_shared<const Mesh>(std::move(d));
 }

@@ -29,9 +29,6 @@ struct InputMesh {
   std::vector<Index> corners;         ///< vertex of each face corner, face after face
   /// First corner of each face, one more entry than faces. Empty when every face is a triangle.
   std::vector<std::size_t> faceStart;
-  /// When not empty, `weld[v]` is the vertex that stands for vertex v (smallest index at the same
-  /// place). Readers of formats without shared vertices fill it.
-  std::vector<Index> weld;
   std::vector<Repair> repairs;  ///< what the reader already had to say
 
   /// Gives back the room that was kept for more vertices and faces.

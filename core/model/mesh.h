@@ -7,6 +7,7 @@
 /// its corner i to its corner i + 1 (counter-clockwise seen from outside). An *edge* is one border
 /// side or two opposite sides; it is named by its smaller side.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -31,6 +32,10 @@ struct MeshData {
   std::vector<Index> triangleBegin;   ///< empty when faces are triangles
   std::vector<Index> inputFace;       ///< empty when no face was dropped
   std::vector<Index> inputVertex;     ///< empty when no vertex was split
+  std::vector<Index> inputCorner;     ///< empty when triangles are the input's faces as they stand
+  std::vector<Index> standIn;         ///< empty when no vertices were joined
+  std::vector<bool> turned;           ///< empty when no face was turned over
+  std::vector<Index> slits;           ///< ascending
   std::vector<double> triangleArea;
   std::vector<bool> degenerate;
   std::vector<Index> faceComponent;
@@ -43,6 +48,11 @@ struct MeshData {
   double scale = 1;
   std::vector<Repair> repairs;
 };
+
+/// Whether two sides belong to one face that has several triangles.
+inline bool isWithinFace(const MeshData& d, Index side, Index other) {
+  return !d.faceOfTriangle.empty() && d.faceOfTriangle[side / 3] == d.faceOfTriangle[other / 3];
+}
 
 /// Immutable and safe to share between threads.
 class Mesh {
@@ -103,6 +113,28 @@ class Mesh {
   /// The input vertex that a vertex stands for.
   Index inputVertex(Index vertex) const {
     return d_.inputVertex.empty() ? vertex : d_.inputVertex[vertex];
+  }
+
+  /// The corner of the input's faces (place in InputMesh::corners) that the start of a side is.
+  Index inputCorner(Index side) const {
+    return d_.inputCorner.empty() ? side : d_.inputCorner[side];
+  }
+  /// True when every triangle is a face of the input as it stands, so that sides are its corners.
+  bool cornersAsInput() const { return d_.inputCorner.empty(); }
+  /// The input vertex that a vertex of the input was joined with, itself when with none.
+  Index standIn(Index inputVertex) const {
+    return d_.standIn.empty() ? inputVertex : d_.standIn[inputVertex];
+  }
+  /// True for a face that runs the other way round than in the file.
+  bool turned(Index face) const { return !d_.turned.empty() && d_.turned[face]; }
+  /// True for a side within a face along which the face cannot be cut: a diagonal, as against the
+  /// slit by which an outline reaches a hole.
+  bool isDiagonal(Index side) const {
+    const Index other = d_.opposite[side];
+    if (facesAreTriangles() || other == kNone || faceOf(side / 3) != faceOf(other / 3)) {
+      return false;
+    }
+    return !std::binary_search(d_.slits.begin(), d_.slits.end(), side);
   }
 
   /// Area of each triangle in squared normalised units.

@@ -9,7 +9,8 @@ namespace {
 std::vector<ParameterInfo> allRows() {
   std::vector<ParameterInfo> rows;
   for (std::vector<ParameterInfo> part : {chartRows(), balanceRows(), borderRows(), cuttingRows(),
-                                          unwrapRows(), stoppingRows(), methodRows()}) {
+                                          unwrapRows(), stoppingRows(), methodRows(),
+                                          modelRows()}) {
     rows.insert(rows.end(), part.begin(), part.end());
   }
   return rows;

@@ -8,6 +8,7 @@
 
 namespace chartflood {
 
+std::vector<ParameterInfo> modelRows();
 std::vector<ParameterInfo> chartRows();
 std::vector<ParameterInfo> balanceRows();
 std::vector<ParameterInfo> borderRows();

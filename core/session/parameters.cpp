@@ -9,6 +9,7 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/model/build_mesh.h"
 
 namespace chartflood {
 
@@ -42,7 +43,17 @@ std::string allowedChoices(const ParameterInfo& info) {
     if (!text.empty()) text += " or ";
     text += choice.id;
   }
+  if (*info.orNumber != '\0') text += " or a number above 0";
   return text;
+}
+
+/// The number that stands for a choice; 0 when the text is none that may.
+double numberForChoice(const ParameterInfo& info, std::string_view text) {
+  double value = 0;
+  if (*info.orNumber == '\0') return 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && std::isfinite(value) && value > 0 ? value : 0;
 }
 
 std::string allowed(const ParameterInfo& info) {
@@ -64,6 +75,7 @@ void checkNumber(const ParameterInfo& info, double value, std::string_view text)
 }
 
 void checkChoice(const ParameterInfo& info, const std::string& value) {
+  if (numberForChoice(info, value) > 0) return;
   std::vector<std::string> names;
   for (const ParameterChoice& choice : info.choices) {
     names.push_back(choice.id);
@@ -135,6 +147,11 @@ void setParameterFromText(Parameters& values, const ParameterInfo& info, std::st
         }
       },
       info.member);
+}
+
+double weldDistance(const Parameters& values) {
+  if (values.weld == "auto") return 0;
+  return values.weld == "off" ? kNoWeld : numberForChoice(*findParameter("weld"), values.weld);
 }
 
 std::string whyUnused(const Parameters& values, const ParameterInfo& info) {

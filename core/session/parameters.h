@@ -12,6 +12,7 @@ namespace chartflood {
 
 /// Values of all parameters; the initialisers are the defaults. Field comments name the option id.
 struct Parameters {
+  std::string weld = "auto";          ///< weld: auto, off or a distance in the file's units
   std::string method = "t-flooding";  ///< method
   int charts = 20;                    ///< charts: K
   double sharpAngle = 45;             ///< sharp-angle: T_a, degrees
@@ -65,6 +66,7 @@ enum class SliderScale {
 
 /// The first stage that a change makes stale; all later ones follow.
 enum class Stage {
+  Mesh,
   Gauss,
   Graph,
   Seeds,
@@ -103,6 +105,7 @@ struct ParameterInfo {
   const char* source = "";                    ///< section of the paper, "" when beyond it
   std::vector<ParameterChoice> choices = {};  ///< of string parameters
   const char* method = "";                    ///< the only method that knows it; "": all
+  const char* orNumber = "";  ///< name of a number above 0 that may stand for a choice; "": none
 };
 
 /// All rows in the order of the panel.
@@ -120,6 +123,9 @@ void setParameter(Parameters& values, const ParameterInfo& info, const Parameter
 
 /// Reads "20", "1e-3", "on", "false", "moves" and stores it. \throws UsageError
 void setParameterFromText(Parameters& values, const ParameterInfo& info, std::string_view text);
+
+/// How far vertices that are joined may lie apart, as buildMesh() takes it.
+double weldDistance(const Parameters& values);
 
 /// Why the row says nothing with these values, as a sentence: another method or a switch makes it
 /// void. "" when it counts.

@@ -7,6 +7,7 @@
 #include "core/charts/chart_stats.h"
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
+#include "core/model/build_mesh.h"
 #include "core/segment/seeds.h"
 
 namespace chartflood {
@@ -26,9 +27,21 @@ std::string repairsText(const Mesh& mesh) {
 
 void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds,
                        Progress& progress) {
+  timing_ = {.read = readMilliseconds};
+  seeds_.clear();
+  offsets_.clear();
+  normals_.clear();
+  document_.seeds.clear();
+  document_.hints.clear();
+  takeMesh(std::move(mesh));
+  makeGaussArea(progress);
+  makeGraph(progress);
+}
+
+/// Nothing that was made of the old mesh stays.
+void Pipeline::takeMesh(std::shared_ptr<const Mesh> mesh) {
   mesh_ = std::move(mesh);
   ++meshVersion_;
-  timing_ = {.read = readMilliseconds};
   stepper_.reset();
   flood_.reset();
   floods_.clear();
@@ -36,11 +49,6 @@ void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds
   stats_.reset();
   flat_ = shownFlat_ = {};
   unwrapAsked_ = false;
-  seeds_.clear();
-  offsets_.clear();
-  normals_.clear();
-  document_.seeds.clear();
-  document_.hints.clear();
   chartRuns_.reset();
   toldCharts_ = 0;
   toldLiteral_ = false;
@@ -48,8 +56,24 @@ void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds
                                std::to_string(mesh_->componentCount()) +
                                (mesh_->componentCount() == 1 ? " part." : " parts."));
   if (!mesh_->repairs().empty()) tell(Notice::Kind::Warning, repairsText(*mesh_));
-  makeGaussArea(progress);
-  makeGraph(progress);
+}
+
+void Pipeline::glueAnew(Progress& progress) {
+  progress.beginPhase("Gluing faces");
+  const std::shared_ptr<const Mesh> old = mesh_;
+  takeMesh(buildMesh(old->sharedInput(), weldDistance(document_.parameters)));
+  bool sameFaces = old->faceCount() == mesh_->faceCount();
+  for (Index f = 0; sameFaces && f < mesh_->faceCount(); ++f) {
+    sameFaces = old->inputFace(f) == mesh_->inputFace(f);
+  }
+  offsets_.clear();
+  normals_.clear();
+  if (sameFaces) return;
+  // Seeds and hints have numbers of the old mesh.
+  seeds_.clear();
+  document_.seeds.clear();
+  document_.hints.clear();
+  seedsVoid_ = true;
 }
 
 void Pipeline::makeGaussArea(Progress& progress) {
@@ -144,6 +168,7 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   const bool keepFinal = finished() && samePlaces && stage >= Stage::Iterations;
   reviseSeeds(before);
   stepper_.reset();
+  if (changed && stage == Stage::Mesh) glueAnew(progress);
   if (changed && stage <= Stage::Gauss) makeGaussArea(progress);
   if (changed && stage <= Stage::Graph) makeGraph(progress);
   if (!hadCharts || !live) return true;
@@ -182,8 +207,10 @@ void Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
     return;
   }
   stepper_.reset();
+  if (changed && stage == Stage::Mesh) glueAnew(progress);
   if (changed && stage <= Stage::Gauss) makeGaussArea(progress);
   if (changed && stage <= Stage::Graph) makeGraph(progress);
+  if (seedsVoid_) return;
   seeds_ = moment.seeds;
   offsets_ = moment.offsets;
   normals_ = moment.normals;

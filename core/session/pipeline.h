@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -33,6 +34,8 @@ class Pipeline {
   /// Before the first stepper is made.
   void setFloodLogs(FloodLogs logs) { logs_ = logs; }
   bool hasMesh() const { return mesh_ != nullptr; }
+  /// Whether seeds and hints of the document lost their meaning since the last call.
+  bool takeVoidSeeds() { return std::exchange(seedsVoid_, false); }
   /// Replaces the mesh and computes its Gauss area; charts are gone.
   void setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds, Progress& progress);
 
@@ -107,6 +110,9 @@ class Pipeline {
   /// Forgets the flat stages that do not belong to the present labels and parameters.
   void dropStaleFlat();
   void tellNotFlat() const;
+  void takeMesh(std::shared_ptr<const Mesh> mesh);
+  /// Builds the mesh anew from the same file with the present parameters.
+  void glueAnew(Progress& progress);
   void makeGaussArea(Progress& progress);
   void makeGraph(Progress& progress);
   /// Forgets of the present seeds what does not hold for the new values.
@@ -158,6 +164,7 @@ class Pipeline {
   FloodLogs logs_ = FloodLogs::EveryRound;
   FloodHistory floods_;
   Timing timing_;
+  bool seedsVoid_ = false;      ///< the mesh was built anew with other faces
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   bool toldLiteral_ = false;    ///< the user was told that the mesh is too small to search fast
   std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;

@@ -86,6 +86,7 @@ class Session::Engine {
     queue_.cancel(JobQueue::Kind::Unwrap);
     add(JobQueue::Kind::Apply, [this, document, live](Progress& progress) {
       const bool changed = pipeline_.apply(document, live, progress);
+      if (pipeline_.takeVoidSeeds()) dropSeeds_ = true;
       publish(changed && !pipeline_.stale());
       if (live) unwrapWhenDue(progress);
     });
@@ -115,6 +116,7 @@ class Session::Engine {
     queue_.cancel(JobQueue::Kind::Unwrap);
     add(JobQueue::Kind::Apply, [this, document, moment](Progress& progress) {
       pipeline_.restore(document, moment, progress);
+      if (pipeline_.takeVoidSeeds()) dropSeeds_ = true;
       publish(true);
       unwrapWhenDue(progress);
     });
@@ -302,20 +304,22 @@ Session::Session(Worker worker) : engine_(std::make_unique<Engine>(worker)) {}
 Session::~Session() = default;
 
 void Session::open(const std::filesystem::path& file) {
-  engine_->open([file](Progress& progress) -> Engine::Opened {
+  const double weld = weldDistance(document().parameters);
+  engine_->open([file, weld](Progress& progress) -> Engine::Opened {
     progress.beginPhase("Reading");
     std::shared_ptr<const InputMesh> input = readMesh(file, &progress);
     if (!input) return {nullptr};
     std::string checksum = fileChecksum(file);
     progress.beginPhase("Gluing faces");
-    return {buildMesh(std::move(input)), std::move(checksum)};
+    return {buildMesh(std::move(input), weld), std::move(checksum)};
   });
 }
 
 void Session::openSample(const std::string& name, std::size_t triangles) {
-  engine_->open([name, triangles](Progress& progress) -> Engine::Opened {
+  const double weld = weldDistance(document().parameters);
+  engine_->open([name, triangles, weld](Progress& progress) -> Engine::Opened {
     progress.beginPhase("Making the sample");
-    return {buildMesh(makeSample(name, triangles))};
+    return {buildMesh(makeSample(name, triangles), weld)};
   });
 }
 

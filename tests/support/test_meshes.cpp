@@ -1,6 +1,8 @@
 #include "tests/support/test_meshes.h"
 
 #include <filesystem>
+#include <numeric>
+#include <random>
 
 #include "core/io/read_mesh.h"
 #include "core/io/samples.h"
@@ -59,6 +61,32 @@ std::shared_ptr<const Mesh> grid(Index n, bool triangles) {
     }
   }
   return meshOf(p, faces);
+}
+
+std::size_t repairCount(const Mesh& mesh, std::string_view what) {
+  for (const Repair& r : mesh.repairs()) {
+    if (r.what == what) return r.count;
+  }
+  return 0;
+}
+
+InputMesh shuffledFaces(const InputMesh& input, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<std::size_t> order(input.faceCount());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+  InputMesh out = input;
+  out.corners.clear();
+  out.faceStart.assign(1, 0);
+  for (const std::size_t f : order) {
+    const auto face = input.face(f);
+    const std::size_t first = random() % face.size();
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      out.corners.push_back(face[(first + i) % face.size()]);
+    }
+    out.faceStart.push_back(out.corners.size());
+  }
+  return out;
 }
 
 InputMesh copyInput(const Mesh& mesh) { return mesh.input(); }

@@ -2,8 +2,10 @@
 /// Meshes for tests: built from lists, made by the program, or read from the folder of real meshes.
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -32,5 +34,11 @@ std::shared_ptr<const Mesh> grid(Index n, bool triangles);
 /// Input of a mesh, to change and build again.
 InputMesh copyInput(const Mesh& mesh);
 std::shared_ptr<const Mesh> rebuild(InputMesh input);
+
+/// How often the mesh reports a repair, 0 when it does not.
+std::size_t repairCount(const Mesh& mesh, std::string_view what);
+
+/// The same faces in another order, each beginning with another corner; by a generator's seed.
+InputMesh shuffledFaces(const InputMesh& input, std::uint32_t seed);
 
 }  // namespace chartflood::test

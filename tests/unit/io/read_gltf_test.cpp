@@ -71,13 +71,17 @@ TEST(ReadGltf, TurnsFacesOfMirroredNodes) {
   EXPECT_EQ(facesOf(*readBytes("a.glb", glb(document))), (Faces{{0, 2, 1}, {0, 3, 2}}));
 }
 
-TEST(ReadGltf, RepeatsMeshesOfSeveralNodesAndJoinsWhatCoincides) {
+TEST(ReadGltf, RepeatsMeshesOfSeveralNodesAndBuildingJoinsWhatCoincides) {
   json document = square();
   document["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {1, 0, 0}}}};
   document["scenes"][0]["nodes"] = {0, 1};
   const auto mesh = readBytes("a.glb", glb(document));
   EXPECT_EQ(facesOf(*mesh), (Faces{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}));
-  EXPECT_EQ(mesh->weld, (std::vector<Index>{0, 1, 2, 3, 1, 5, 6, 2}));
+  const auto built = buildBytes("a.glb", glb(document));
+  EXPECT_EQ(built->componentCount(), 1u);
+  EXPECT_EQ(countOf(built->repairs(), "welded-vertices"), 2u);
+  EXPECT_EQ(built->standIn(4), 1u);
+  EXPECT_EQ(built->standIn(7), 2u);
 }
 
 TEST(ReadGltf, AppliesSparseEntries) {

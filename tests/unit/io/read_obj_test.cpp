@@ -101,19 +101,18 @@ TEST(ReadObj, RefusesFilesWithoutFacesAndOtherContent) {
             "vertex 1 has a coordinate that is not a finite number");
 }
 
-TEST(ReadObj, JoinsFacesThatShareNoVertex) {
-  const auto mesh = readBytes("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 -0\n"
+TEST(ReadObj, KeepsVerticesThatBuildingJoins) {
+  const auto mesh = buildBytes("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 -0\n"
                                        "f 1 2 3\nf 4 5 6\n");
-  EXPECT_EQ(mesh->weld, (std::vector<Index>{0, 1, 2, 1, 4, 2}));
-  EXPECT_EQ(countOf(mesh->repairs, "unshared-vertices-welded"), 2u);
-  EXPECT_EQ(mesh->positions.size(), 6u);
+  EXPECT_EQ(countOf(mesh->repairs(), "welded-vertices"), 2u);
+  EXPECT_EQ(mesh->componentCount(), 1u);
+  EXPECT_EQ(mesh->input().positions.size(), 6u);
 }
 
 TEST(ReadObj, LeavesApartWhatIsApart) {
-  const auto mesh = readBytes("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 3 1 0\nv 2 1 0\n"
-                                       "f 1 2 3\nf 4 5 6\n");
-  EXPECT_TRUE(mesh->weld.empty());
-  EXPECT_TRUE(mesh->repairs.empty());
+  const auto mesh = buildBytes("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 3 1 0\nv 2 1 0\n"
+                                        "f 1 2 3\nf 4 5 6\n");
+  EXPECT_TRUE(mesh->repairs().empty());
 }
 
 }  // namespace

@@ -85,7 +85,6 @@ TEST(ReadStl, JoinsCornersAtTheSamePlaceInTheirOrder) {
   ASSERT_EQ(mesh->positions.size(), 4u);
   EXPECT_EQ(mesh->positions[3], glm::dvec3(1, 1, 0));
   EXPECT_EQ(facesOf(*mesh), (Faces{{0, 1, 2}, {1, 3, 2}}));
-  EXPECT_TRUE(mesh->weld.empty());
   EXPECT_TRUE(mesh->repairs.empty());
 }
 

@@ -256,10 +256,6 @@ TEST(WriteObj, JoinedVerticesKeepTheirNumbers) {
   InputMesh unshared = copyInput(*sampleMesh("sphere", 500));
   std::vector<glm::dvec3> corners;
   for (const Index v : unshared.corners) corners.push_back(unshared.positions[v]);
-  for (std::size_t v = 0; v < corners.size(); ++v) {
-    unshared.weld.push_back(static_cast<Index>(
-        std::find(corners.begin(), corners.end(), corners[v]) - corners.begin()));
-  }
   std::iota(unshared.corners.begin(), unshared.corners.end(), Index{0});
   unshared.positions = corners;
   const Charted welded = inPatches(rebuild(unshared), 20);

@@ -14,13 +14,7 @@ namespace chartflood {
 namespace {
 
 using test::meshOf;
-
-std::size_t repairCount(const Mesh& mesh, const std::string& what) {
-  for (const Repair& r : mesh.repairs()) {
-    if (r.what == what) return r.count;
-  }
-  return 0;
-}
+using test::repairCount;
 
 const std::vector<glm::dvec3> kTetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 const test::Polygons kTetrahedronFaces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
@@ -91,15 +85,6 @@ TEST(BuildMesh, SplitsBowTieVertex) {
   EXPECT_EQ(mesh->inputVertex(5), 0u);
 }
 
-TEST(BuildMesh, TreatsFlippedNeighboursAsBorders) {
-  auto faces = kTetrahedronFaces;
-  std::swap(faces[0][0], faces[0][1]);
-  const auto mesh = meshOf(kTetrahedron, faces);
-  expectConsistent(*mesh);
-  EXPECT_EQ(repairCount(*mesh, "inconsistent-edges"), 3u);
-  EXPECT_EQ(mesh->componentCount(), 2u);
-}
-
 TEST(BuildMesh, DropsTrianglesThatRepeatACorner) {
   auto faces = kTetrahedronFaces;
   faces.insert(faces.begin() + 1, {2, 2, 2});
@@ -156,26 +141,6 @@ TEST(BuildMesh, CountsLoopsAndGenusOfSamples) {
   EXPECT_EQ(test::sampleMesh("tube", 2000)->boundaryLoopCount(), 2u);
   EXPECT_EQ(test::sampleMesh("sphere", 2000)->genus(), 0);
   expectConsistent(*test::sampleMesh("rocket", 5000));
-}
-
-TEST(BuildMesh, WeldsVerticesOnRequestOnly) {
-  InputMesh soup;
-  soup.file = "soup";
-  for (const auto& face : kTetrahedronFaces) {
-    for (const Index v : face) {
-      soup.corners.push_back(static_cast<Index>(soup.positions.size()));
-      soup.positions.push_back(kTetrahedron[v]);
-    }
-  }
-  EXPECT_EQ(test::rebuild(soup)->componentCount(), 4u);
-  soup.weld.resize(soup.positions.size());
-  for (std::size_t v = 0; v < soup.weld.size(); ++v) {
-    const auto same = std::find(soup.positions.begin(), soup.positions.end(), soup.positions[v]);
-    soup.weld[v] = static_cast<Index>(same - soup.positions.begin());
-  }
-  const auto welded = test::rebuild(soup);
-  EXPECT_EQ(welded->componentCount(), 1u);
-  EXPECT_TRUE(welded->closed());
 }
 
 }  // namespace
