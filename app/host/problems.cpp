@@ -43,10 +43,12 @@ constexpr std::array<KindInfo, kKinds.size()> kInfos = {{
     {"thin-charts", "thin chart", "thin charts", "Thin charts",
      "Thinner than 8 pixels of the texture: hard to paint on. Fewer charts or a larger texture "
      "help."},
-    {"open-sharp-edges", "sharp edge inside a chart", "sharp edges inside charts", "Sharp edges inside charts",
+    {"open-sharp-edges", "sharp edge inside a chart", "sharp edges inside charts",
+     "Sharp edges inside charts",
      "No border follows them: shading and paint run across the crease. More crease avoidance or "
      "more charts help."},
-    {"non-manifold-edges", "edge of more than two faces", "edges of more than two faces", "Edges of more than two faces",
+    {"non-manifold-edges", "edge of more than two faces", "edges of more than two faces",
+     "Edges of more than two faces",
      "The surface branches there. It was split apart, so that a chart never runs across."},
 }};
 

@@ -30,8 +30,8 @@ Corner cornerAt(const Mesh& mesh, Index side) {
           positions[mesh.sideStart(Mesh::previousSide(side))] - here};
 }
 
-/// A sum of vectors and of their lengths. What rounding leaves of vectors that cancel hangs on their
-/// order and is no direction.
+/// A sum of vectors and of their lengths. What rounding leaves of vectors that cancel hangs on
+/// their order and is no direction.
 struct NormalSum {
   glm::dvec3 sum{0};
   double lengths = 0;
@@ -49,8 +49,8 @@ struct NormalSum {
   }
 };
 
-/// For sums that vanish: plain unit normals, then the one that looks most to a side that no model is
-/// built along, then upwards.
+/// For sums that vanish: plain unit normals, then the one that looks most to a side that no model
+/// is built along, then upwards.
 glm::dvec3 fallbackNormal(const Mesh& mesh, std::span<const Index> sides) {
   const glm::dvec3 aside(0.2617, 0.4189, 0.8693);
   NormalSum sum;

@@ -39,8 +39,8 @@ struct SectorNormals {
 /// Computes all sector normals: the normalised sum over the corners of a sector of
 /// (e1 x e2) / (|e1|^2 |e2|^2) (Max, "Weights for computing vertex normals from facet normals",
 /// 1999; the paper's [21]). Degenerate triangles are skipped; a vanishing sum falls back to the sum
-/// of unit triangle normals, then to one triangle's normal, whatever their order, then to (0, 0, 1).
-/// An interior vertex with s sharp edges has max(1, s) sectors, a border vertex s + 1.
+/// of unit triangle normals, then to one triangle's normal, whatever their order, then to (0, 0,
+/// 1). An interior vertex with s sharp edges has max(1, s) sectors, a border vertex s + 1.
 SectorNormals computeSectorNormals(const Mesh& mesh, std::span<const std::uint8_t> sharpSides);
 
 /// The same normals laid out for drawing.

@@ -52,9 +52,9 @@ PolygonArea simpleArea(double fan) {
   return {std::abs(area), area};
 }
 
-/// Two triangles where two of the sides cross, of which a quadrilateral has at most one pair. That is
-/// so up to the place where the crossing reaches a corner and one triangle vanishes, so that nothing
-/// hangs on how close calls are decided.
+/// Two triangles where two of the sides cross, of which a quadrilateral has at most one pair. That
+/// is so up to the place where the crossing reaches a corner and one triangle vanishes, so that
+/// nothing hangs on how close calls are decided.
 PolygonArea quadArea(std::span<const glm::dvec3> q) {
   glm::dvec3 x(0);
   double one = 0, other = 0;

@@ -14,7 +14,7 @@ double signedTriangleArea(const glm::dvec3& a, const glm::dvec3& b, const glm::d
 
 /// Area of a closed polygon of unit vectors, its sides the shorter arcs.
 struct PolygonArea {
-  double absolute = 0;   ///< integral of |winding number|, at most 4 pi
+  double absolute = 0;    ///< integral of |winding number|, at most 4 pi
   double signedArea = 0;  ///< integral of the winding number
 };
 

@@ -15,18 +15,18 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 /// More events than needed do no harm, so arcs are taken for longer than they are.
-constexpr double kSlack = 1e-9;
+constexpr double kArcSlack = 1e-9;
 /// An arc whose circle's normal has less to the north lies along a meridian.
 constexpr double kMeridian = 1e-200;
 /// Areas that differ by less are equal.
-constexpr double kEqual = 1e-9;
+constexpr double kEqualAreas = 1e-9;
 
 /// North, and the direction of the first meridian: in no plane that models are built along.
 struct Axes {
   glm::dvec3 x, y, north;
 };
 
-std::array<Axes, 3> candidates() {
+std::array<Axes, 3> axesCandidates() {
   const glm::dvec3 a = glm::normalize(glm::dvec3(0.5281, 0.3743, 0.7623));
   const glm::dvec3 b = glm::normalize(glm::cross(a, glm::dvec3(0.2117, -0.8931, 0.3967)));
   const glm::dvec3 c = glm::cross(a, b);
@@ -35,7 +35,7 @@ std::array<Axes, 3> candidates() {
 
 /// The axes whose poles are farthest from all corners.
 Axes axesFor(std::span<const glm::dvec3> corners) {
-  static const std::array<Axes, 3> all = candidates();
+  static const std::array<Axes, 3> all = axesCandidates();
   double best = 2;
   const Axes* chosen = all.data();
   for (const Axes& axes : all) {
@@ -43,7 +43,7 @@ Axes axesFor(std::span<const glm::dvec3> corners) {
     for (const glm::dvec3& c : corners) {
       nearest = std::max(nearest, std::abs(glm::dot(c, axes.north)));
     }
-    if (nearest < best - kEqual) {
+    if (nearest < best - kEqualAreas) {
       best = nearest;
       chosen = &axes;
     }
@@ -59,7 +59,7 @@ double wrapped(double angle) {
 }
 
 /// A side of the polygon in the frame of the axes (north is z).
-struct Arc {
+struct SphereArc {
   glm::dvec3 normal;  ///< of its great circle, the way from begin to end counter-clockwise
   double begin = 0;   ///< longitude of its western end
   double width = 0;   ///< how far east it goes, below pi
@@ -74,15 +74,15 @@ struct Arc {
   }
 };
 
-std::vector<Arc> arcsOf(std::span<const glm::dvec3> corners, const Axes& axes) {
+std::vector<SphereArc> arcsOf(std::span<const glm::dvec3> corners, const Axes& axes) {
   std::vector<glm::dvec3> p;
   for (const glm::dvec3& c : corners) {
     p.emplace_back(glm::dot(c, axes.x), glm::dot(c, axes.y), glm::dot(c, axes.north));
   }
-  std::vector<Arc> arcs;
+  std::vector<SphereArc> arcs;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const glm::dvec3 &a = p[i], &b = p[(i + 1) % p.size()];
-    Arc arc;
+    SphereArc arc;
     arc.normal = glm::cross(a, b);
     if (std::abs(arc.normal.z) < kMeridian) continue;  // bounds no slice
     arc.eastward = arc.normal.z > 0;
@@ -96,9 +96,9 @@ std::vector<Arc> arcsOf(std::span<const glm::dvec3> corners, const Axes& axes) {
 }
 
 /// Longitudes at which arcs begin, end or cross, ascending.
-std::vector<double> eventsOf(const std::vector<Arc>& arcs) {
+std::vector<double> eventsOf(const std::vector<SphereArc>& arcs) {
   std::vector<double> events = {0};
-  for (const Arc& arc : arcs) {
+  for (const SphereArc& arc : arcs) {
     events.push_back(arc.begin);
     events.push_back(wrapped(arc.begin + arc.width));
   }
@@ -108,7 +108,7 @@ std::vector<double> eventsOf(const std::vector<Arc>& arcs) {
       if (meet.x == 0 && meet.y == 0) continue;
       for (const double side : {1.0, -1.0}) {
         const double longitude = wrapped(std::atan2(side * meet.y, side * meet.x));
-        if (arcs[i].spans(longitude, kSlack) && arcs[j].spans(longitude, kSlack)) {
+        if (arcs[i].spans(longitude, kArcSlack) && arcs[j].spans(longitude, kArcSlack)) {
           events.push_back(longitude);
         }
       }
@@ -125,29 +125,29 @@ glm::dvec3 pointAt(double longitude, double height) {
 }
 
 /// The arcs of the present slice by height; kept from slice to slice, where it hardly changes.
-struct Crossing {
+struct ArcCrossing {
   double height;
   std::size_t arc;
 };
 
 /// Area of the sphere by winding number, taken as 0 at the south pole.
-std::map<long, double> areaByWinding(const std::vector<Arc>& arcs) {
+std::map<long, double> areaByWinding(const std::vector<SphereArc>& arcs) {
   std::map<long, double> area;
   const std::vector<double> events = eventsOf(arcs);
-  std::vector<Crossing> slice;
+  std::vector<ArcCrossing> slice;
   for (std::size_t e = 0; e + 1 < events.size(); ++e) {
     const double west = events[e], east = events[e + 1], middle = west + (east - west) / 2;
     slice.clear();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       if (arcs[i].spans(middle, 0)) slice.push_back({arcs[i].height(middle), i});
     }
-    std::sort(slice.begin(), slice.end(), [](const Crossing& a, const Crossing& b) {
+    std::sort(slice.begin(), slice.end(), [](const ArcCrossing& a, const ArcCrossing& b) {
       return a.height != b.height ? a.height < b.height : a.arc < b.arc;
     });
     long winding = 0;
     double below = 2 * (east - west);  // from the bottom of the band to the north pole
-    for (const Crossing& crossing : slice) {
-      const Arc& arc = arcs[crossing.arc];
+    for (const ArcCrossing& crossing : slice) {
+      const SphereArc& arc = arcs[crossing.arc];
       const double above = signedTriangleArea({0, 0, 1}, pointAt(west, arc.height(west)),
                                               pointAt(east, arc.height(east)));
       area[winding] += below - above;
@@ -171,7 +171,7 @@ PolygonArea windingArea(std::span<const glm::dvec3> corners) {
       sum.absolute += static_cast<double>(std::abs(winding - zero)) * part;
       sum.signedArea += static_cast<double>(winding - zero) * part;
     }
-    const bool equal = std::abs(sum.absolute - best.absolute) <= kEqual;
+    const bool equal = std::abs(sum.absolute - best.absolute) <= kEqualAreas;
     if (first || (equal ? sum.signedArea > best.signedArea : sum.absolute < best.absolute)) {
       best = sum;
     }

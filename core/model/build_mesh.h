@@ -22,7 +22,8 @@ constexpr double kNoWeld = -1;
 /// - Faces that run against most of their part are turned over where that makes neighbours of them,
 ///   see orientFaces().
 /// - Afterwards every vertex owns exactly one fan of triangles: further fans get a copy of it.
-/// - Every repair is counted in Mesh::repairs(), after those of the reader. Faces, their corners and
+/// - Every repair is counted in Mesh::repairs(), after those of the reader. Faces, their corners
+/// and
 ///   the vertices of the input stay as they are; Mesh::inputCorner() leads to them.
 ///
 /// \param weld how far vertices that are joined may lie apart, in the file's units; 0: not at all,

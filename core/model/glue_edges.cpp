@@ -15,7 +15,7 @@ struct BlockFindings : GlueFindings {
   std::vector<Index> slits;
 };
 
-struct Entry {
+struct SideEntry {
   Index larger;
   Index side;
 };
@@ -23,7 +23,7 @@ struct Entry {
 /// Sides without an opposite one, listed by their smaller vertex.
 struct SideLists {
   std::vector<Index> start;
-  std::vector<Entry> entries;
+  std::vector<SideEntry> entries;
 };
 
 SideLists listSides(const MeshData& d, std::size_t vertexCount) {
@@ -51,12 +51,12 @@ SideLists listSides(const MeshData& d, std::size_t vertexCount) {
 }
 
 /// Glues the sides of one vertex's list.
-void glueList(MeshData& d, Index vertex, Entry* begin, Entry* end, BlockFindings& found) {
-  std::sort(begin, end, [](const Entry& x, const Entry& y) {
+void glueList(MeshData& d, Index vertex, SideEntry* begin, SideEntry* end, BlockFindings& found) {
+  std::sort(begin, end, [](const SideEntry& x, const SideEntry& y) {
     return x.larger != y.larger ? x.larger < y.larger : x.side < y.side;
   });
-  for (Entry* run = begin; run < end;) {
-    Entry* stop = run + 1;
+  for (SideEntry* run = begin; run < end;) {
+    SideEntry* stop = run + 1;
     while (stop < end && stop->larger == run->larger) ++stop;
     if (stop - run == 2) {
       const Index first = run[0].side, second = run[1].side;
@@ -71,7 +71,7 @@ void glueList(MeshData& d, Index vertex, Entry* begin, Entry* end, BlockFindings
       }
     } else if (stop - run > 2) {
       ++found.nonManifoldEdges;
-      for (const Entry* e = run; e < stop; ++e) found.nonManifoldSides.push_back(e->side);
+      for (const SideEntry* e = run; e < stop; ++e) found.nonManifoldSides.push_back(e->side);
     }
     run = stop;
   }

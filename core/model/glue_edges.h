@@ -17,8 +17,8 @@ struct GlueFindings {
   std::vector<std::pair<Index, Index>> conflicts;
 };
 
-/// Finds for each side without an opposite one the only other one between its vertices, if that runs
-/// the other way; notes slits of polygons in `d`. Cost: linear, in parallel.
+/// Finds for each side without an opposite one the only other one between its vertices, if that
+/// runs the other way; notes slits of polygons in `d`. Cost: linear, in parallel.
 GlueFindings glueEdges(MeshData& d, std::size_t vertexCount);
 
 }  // namespace chartflood

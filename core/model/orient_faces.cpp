@@ -68,15 +68,14 @@ std::vector<bool> minority(TurnedParts& parts, std::size_t faces) {
   for (Index f = 0; f < faces; ++f) {
     const auto [root, isTurned] = parts.find(f);
     const std::size_t others = parts.size(root) - turned[root];
-    const bool turnTheTurned =
-        turned[root] != others ? turned[root] < others : !firstTurned[root];
+    const bool turnTheTurned = turned[root] != others ? turned[root] < others : !firstTurned[root];
     turn[f] = isTurned == turnTheTurned;
   }
   return turn;
 }
 
 /// A triangle a b c becomes a c b: its sides swap places.
-Index mirrored(Index side) { return side - side % 3 + (2 - side % 3); }
+Index mirroredSide(Index side) { return side - side % 3 + (2 - side % 3); }
 
 /// Turns the triangles of faces over, with all that belongs to their sides.
 void turnOver(MeshData& d, const std::vector<bool>& turn) {
@@ -88,7 +87,7 @@ void turnOver(MeshData& d, const std::vector<bool>& turn) {
     d.inputCorner.resize(sides);
     std::iota(d.inputCorner.begin(), d.inputCorner.end(), Index{0});
   }
-  const auto moved = [&](Index side) { return isTurned(side) ? mirrored(side) : side; };
+  const auto moved = [&](Index side) { return isTurned(side) ? mirroredSide(side) : side; };
   std::vector<Index> opposite(sides, kNone);
   for (Index s = 0; s < sides; ++s) {
     if (d.opposite[s] != kNone) opposite[moved(s)] = moved(d.opposite[s]);
@@ -124,8 +123,8 @@ std::size_t orientFaces(MeshData& d, std::vector<std::pair<Index, Index>>& confl
   std::vector<std::pair<Index, Index>> left;
   for (auto [a, b] : conflicts) {
     const bool agree = turn[faceOf(a)] != turn[faceOf(b)];
-    if (turn[faceOf(a)]) a = mirrored(a);
-    if (turn[faceOf(b)]) b = mirrored(b);
+    if (turn[faceOf(a)]) a = mirroredSide(a);
+    if (turn[faceOf(b)]) b = mirroredSide(b);
     if (agree) {
       d.opposite[a] = b;
       d.opposite[b] = a;

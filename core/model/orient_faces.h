@@ -9,9 +9,9 @@
 
 namespace chartflood {
 
-/// Turns faces over until edges that two faces use in one direction are glued, as far as the surface
-/// can be oriented: edges of faces that agree already are never given up, so a surface that cannot
-/// be oriented, such as a Moebius strip, is split where the file's own faces disagree.
+/// Turns faces over until edges that two faces use in one direction are glued, as far as the
+/// surface can be oriented: edges of faces that agree already are never given up, so a surface that
+/// cannot be oriented, such as a Moebius strip, is split where the file's own faces disagree.
 ///
 /// In every connected part the larger number of faces stays, and the one with the smallest number
 /// where both are equal.

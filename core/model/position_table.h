@@ -32,9 +32,9 @@ class PositionTable {
 /// Whether two positions are one place, as in a PositionTable.
 bool samePlace(const glm::dvec3& a, const glm::dvec3& b);
 
-/// Numbers places that lie apart by more than a distance: a position takes the number of the nearest
-/// earlier place within that distance, or is a new place. Which places there are depends on the
-/// order in which positions come.
+/// Numbers places that lie apart by more than a distance: a position takes the number of the
+/// nearest earlier place within that distance, or is a new place. Which places there are depends on
+/// the order in which positions come.
 class NearPlaces {
  public:
   explicit NearPlaces(double distance) : distance_(distance) {}

@@ -13,7 +13,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kFaceBlock = 1 << 15;
+constexpr std::size_t kTriangulationBlock = 1 << 15;
 
 /// Ends of an edge, the smaller vertex first, and the corner at which it ends.
 struct PointEdge {
@@ -25,7 +25,7 @@ struct PointEdge {
 std::vector<PointEdge> pointEdges(const InputMesh& input) {
   std::vector<PointEdge> edges;
   std::mutex mutex;
-  parallelBlocks(input.faceCount(), kFaceBlock, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(input.faceCount(), kTriangulationBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const std::span<const Index> face = input.face(f);
       const std::size_t first = static_cast<std::size_t>(face.data() - input.corners.data());

@@ -46,33 +46,43 @@ void PolygonTriangulator::addTriangle(Index a, Index b, Index c) {
   triangles_.push_back({loop_[a], loop_[b], loop_[c]});
 }
 
+/// Corners that repeat the one before them.
 void PolygonTriangulator::dropRepeats(std::span<const Index> polygon) {
   loop_.clear();
-  const auto vertex = [&](std::size_t i) { return polygon[loop_[i]]; };
   for (Index corner = 0; corner < polygon.size(); ++corner) {
-    if (!loop_.empty() && polygon[loop_.back()] == polygon[corner]) continue;
-    if (loop_.size() >= 2 && vertex(loop_.size() - 2) == polygon[corner]) {
-      loop_.pop_back();
-      continue;
+    if (loop_.empty() || polygon[loop_.back()] != polygon[corner]) loop_.push_back(corner);
+  }
+  while (loop_.size() > 1 && polygon[loop_.back()] == polygon[loop_.front()]) loop_.pop_back();
+}
+
+/// Corners at which the outline runs back where it came from, unless nothing else is there.
+void PolygonTriangulator::dropSpikes(std::span<const Index> polygon) {
+  spikeless_.clear();
+  for (const Index corner : loop_) {
+    const std::size_t n = spikeless_.size();
+    if (n >= 2 && polygon[spikeless_[n - 2]] == polygon[corner]) {
+      spikeless_.pop_back();
+    } else {
+      spikeless_.push_back(corner);
     }
-    loop_.push_back(corner);
   }
   // The same around the first corner.
   std::size_t begin = 0;
-  while (loop_.size() - begin >= 2) {
-    const std::size_t last = loop_.size() - 1;
-    if (vertex(last) == vertex(begin)) {
-      loop_.pop_back();
-    } else if (loop_.size() - begin >= 3 && vertex(last - 1) == vertex(begin)) {
-      loop_.resize(last - 1);
-    } else if (loop_.size() - begin >= 3 && vertex(last) == vertex(begin + 1)) {
+  const auto vertex = [&](std::size_t i) { return polygon[spikeless_[i]]; };
+  while (spikeless_.size() - begin >= 3) {
+    const std::size_t last = spikeless_.size() - 1;
+    if (vertex(last - 1) == vertex(begin)) {
+      spikeless_.resize(last - 1);
+      if (vertex(spikeless_.size() - 1) == vertex(begin)) spikeless_.pop_back();
+    } else if (vertex(last) == vertex(begin + 1)) {
       ++begin;
-      loop_.pop_back();
+      spikeless_.pop_back();
     } else {
       break;
     }
   }
-  loop_.erase(loop_.begin(), loop_.begin() + static_cast<std::ptrdiff_t>(begin));
+  if (spikeless_.size() - begin < 3 || spikeless_.size() - begin == loop_.size()) return;
+  loop_.assign(spikeless_.begin() + static_cast<std::ptrdiff_t>(begin), spikeless_.end());
 }
 
 /// \returns false when a triangle of the fan would face the other way or repeat a vertex.
@@ -103,6 +113,7 @@ void PolygonTriangulator::run(std::span<const Index> polygon,
   triangles_.clear();
   diagonals_.clear();
   dropRepeats(polygon);
+  if (loop_.size() > 3) dropSpikes(polygon);
   if (loop_.size() < 3) return;
   if (loop_.size() == 3) return addTriangle(0, 1, 2);
   if (fan(polygon, positions)) return;

@@ -8,9 +8,9 @@ namespace {
 
 std::vector<ParameterInfo> allRows() {
   std::vector<ParameterInfo> rows;
-  for (std::vector<ParameterInfo> part : {chartRows(), balanceRows(), borderRows(), cuttingRows(),
-                                          unwrapRows(), stoppingRows(), methodRows(),
-                                          modelRows()}) {
+  for (std::vector<ParameterInfo> part :
+       {chartRows(), balanceRows(), borderRows(), cuttingRows(), unwrapRows(), stoppingRows(),
+        methodRows(), modelRows()}) {
     rows.insert(rows.end(), part.begin(), part.end());
   }
   return rows;

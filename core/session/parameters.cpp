@@ -207,6 +207,7 @@ Parameters applyPreset(const Parameters& base, const Preset& preset) {
   Parameters values;
   values.charts = base.charts;
   values.rngSeed = base.rngSeed;
+  values.weld = base.weld;
   for (const auto& [id, value] : preset.values) {
     const ParameterInfo* info = findParameter(id);
     CF_CHECK(info != nullptr);

@@ -137,8 +137,8 @@ std::string parameterText(const ParameterValue& value);
 /// The first stage in which two sets of values differ; false when none does.
 bool firstDifference(const Parameters& a, const Parameters& b, Stage& stage);
 
-/// True when values differ in nothing but how rounds go on and end: charts that were finished are the
-/// same with both.
+/// True when values differ in nothing but how rounds go on and end: charts that were finished are
+/// the same with both.
 bool differOnlyInRounds(const Parameters& a, const Parameters& b);
 
 /// Named values for a purpose.
@@ -150,8 +150,8 @@ struct Preset {
 };
 std::span<const Preset> presetTable();
 const Preset* findPreset(std::string_view id);
-/// Values of a preset over the defaults; the number of charts and the generator seed of `base` stay
-/// unless the preset names them.
+/// Values of a preset over the defaults; the number of charts, the generator seed and what is the
+/// model's (weld) stay as in `base` unless the preset names them.
 Parameters applyPreset(const Parameters& base, const Preset& preset);
 
 /// The candidate closest to `word` in edits, or "" when none is near.

@@ -121,7 +121,7 @@ TEST(SphericalPolygon, LoopsAgainstEachOtherCancel) {
 
 TEST(SphericalPolygon, WingsThatOnlyTouchCountBoth) {
   const glm::dvec3 a = polar(0, 0);
-  const std::vector<glm::dvec3> wings = {a, polar(-0.2, 0.3), polar(0.2, 0.3),
+  const std::vector<glm::dvec3> wings = {a, polar(-0.2, 0.3),  polar(0.2, 0.3),
                                          a, polar(-0.2, -0.3), polar(0.2, -0.3)};
   const double wing = absoluteArea({wings[0], wings[1], wings[2]});
   EXPECT_NEAR(absoluteArea(wings), 2 * wing, 1e-12);
@@ -161,8 +161,8 @@ TEST(SphericalPolygon, SlicesAgreeWithFansWhereNothingCrosses) {
     const int corners = 5 + static_cast<int>(random() % 9);
     const glm::dvec3 tilt = glm::normalize(glm::dvec3(random() % 7, random() % 7, 1));
     for (int i = 0; i < corners; ++i) {
-      const glm::dvec3 p =
-          polar(0.2 + 0.001 * static_cast<double>(random() % 1000), 2 * std::numbers::pi * i / corners);
+      const glm::dvec3 p = polar(0.2 + 0.001 * static_cast<double>(random() % 1000),
+                                 2 * std::numbers::pi * i / corners);
       star.push_back(2 * glm::dot(p, tilt) * tilt - p);
     }
     EXPECT_NEAR(windingArea(star).absolute, absoluteArea(star), 1e-12);

@@ -103,7 +103,7 @@ TEST(ReadObj, RefusesFilesWithoutFacesAndOtherContent) {
 
 TEST(ReadObj, KeepsVerticesThatBuildingJoins) {
   const auto mesh = buildBytes("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 -0\n"
-                                       "f 1 2 3\nf 4 5 6\n");
+                                        "f 1 2 3\nf 4 5 6\n");
   EXPECT_EQ(countOf(mesh->repairs(), "welded-vertices"), 2u);
   EXPECT_EQ(mesh->componentCount(), 1u);
   EXPECT_EQ(mesh->input().positions.size(), 6u);

@@ -70,7 +70,8 @@ TEST_P(TurnedSamples, AreOnePartWithTheSameGaussAreaWhateverIsTurned) {
     EXPECT_EQ(mesh->genus(), whole->genus());
     EXPECT_EQ(mesh->boundaryLoopCount(), whole->boundaryLoopCount());
     for (Index f = 0; f < mesh->faceCount(); ++f) ASSERT_EQ(mesh->turned(f), turned[f]) << f;
-    EXPECT_NEAR(computeGaussArea(*mesh, 45).total(), expected.total(), 1e-9 * std::max(1.0, expected.total()));
+    EXPECT_NEAR(computeGaussArea(*mesh, 45).total(), expected.total(),
+                1e-9 * std::max(1.0, expected.total()));
   }
 }
 
@@ -88,8 +89,8 @@ TEST(OrientFaces, KeepsTheCornersOfTheFile) {
 
 TEST(OrientFaces, TheFirstFaceStaysWhereTheNumbersAreEqual) {
   // Two triangles side by side, running against each other.
-  const auto mesh = test::meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
-                                 {{0, 1, 2}, {1, 2, 3}});
+  const auto mesh =
+      test::meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 2, 3}});
   EXPECT_EQ(mesh->componentCount(), 1u);
   EXPECT_FALSE(mesh->turned(0));
   EXPECT_TRUE(mesh->turned(1));
@@ -99,15 +100,9 @@ TEST(OrientFaces, EveryPartHasAMajorityOfItsOwn) {
   // Two tetrahedra; of the second, one face agrees with no other.
   const test::Polygons faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2},
                                 {4, 5, 6}, {4, 5, 7}, {5, 6, 7}, {4, 7, 6}};
-  const auto mesh = test::meshOf({{0, 0, 0},
-                                  {1, 0, 0},
-                                  {0, 1, 0},
-                                  {0, 0, 1},
-                                  {5, 0, 0},
-                                  {6, 0, 0},
-                                  {5, 1, 0},
-                                  {5, 0, 1}},
-                                 faces);
+  const auto mesh = test::meshOf(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 1}},
+      faces);
   EXPECT_EQ(mesh->componentCount(), 2u);
   EXPECT_TRUE(mesh->closed());
   EXPECT_TRUE(mesh->turned(4));
@@ -141,9 +136,8 @@ TEST(OrientFaces, NamesFacesThatAreLeftAlone) {
   const auto book = test::meshOf({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {0.5, 0, 1}},
                                  {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   EXPECT_EQ(repairCount(*book, "lone-faces"), 3u);
-  EXPECT_EQ(repairCount(*test::meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}),
-                        "lone-faces"),
-            0u);
+  EXPECT_EQ(
+      repairCount(*test::meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}), "lone-faces"), 0u);
 }
 
 }  // namespace

@@ -122,12 +122,26 @@ TEST(TriangulatePolygon, CoversConcaveOutlines) {
 
 TEST(TriangulatePolygon, CoversHolesBehindSlits) {
   // A square with a square hole, reached by a slit from its first corner.
-  const Outline ring = outlineOf({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0},
-                                  {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}});
+  const Outline ring =
+      outlineOf({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}});
   expectRight(ring);
   // Two holes, one behind the other.
-  expectRight(outlineOf({{0, 0}, {6, 0}, {6, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2},
-                         {4, 2}, {5, 2}, {5, 1}, {4, 1}, {4, 2}, {2, 2}, {2, 1}, {1, 1}}));
+  expectRight(outlineOf({{0, 0},
+                         {6, 0},
+                         {6, 3},
+                         {0, 3},
+                         {0, 0},
+                         {1, 1},
+                         {1, 2},
+                         {2, 2},
+                         {4, 2},
+                         {5, 2},
+                         {5, 1},
+                         {4, 1},
+                         {4, 2},
+                         {2, 2},
+                         {2, 1},
+                         {1, 1}}));
 }
 
 TEST(TriangulatePolygon, CoversRandomOutlinesWithSlits) {
@@ -186,9 +200,19 @@ TEST(TriangulatePolygon, LeavesOutWhatBoundsNothing) {
   PolygonTriangulator t;
   t.run(spike.polygon, spike.positions);
   EXPECT_EQ(t.triangles().size(), 2u);
-  const Outline nothing = outlineOf({{0, 0}, {1, 0}, {2, 0}, {1, 0}});
-  t.run(nothing.polygon, nothing.positions);
+  const Outline twoCorners = outlineOf({{0, 0}, {1, 0}, {1, 0}, {0, 0}});
+  t.run(twoCorners.polygon, twoCorners.positions);
   EXPECT_TRUE(t.triangles().empty());
+}
+
+TEST(TriangulatePolygon, KeepsFacesThatAreNothingButSpikes) {
+  PolygonTriangulator t;
+  for (const auto& points : {std::vector<glm::dvec2>{{0, 0}, {1, 0}, {2, 0}, {1, 0}},
+                             {{1, 0}, {0, 0}, {1, 0}, {2, 0}}}) {
+    const Outline line = outlineOf(points);
+    t.run(line.polygon, line.positions);
+    EXPECT_EQ(t.triangles().size(), 2u);
+  }
 }
 
 TEST(TriangulatePolygon, SeesSpacePolygonsAlongTheirNormal) {
@@ -202,7 +226,8 @@ TEST(TriangulatePolygon, SeesSpacePolygonsAlongTheirNormal) {
   expectDisk(slope, t);
   const glm::dvec3 normal = slope.normal();
   for (const auto& [a, b, c] : t.triangles()) {
-    EXPECT_GT(glm::dot(glm::cross(slope.at(b) - slope.at(a), slope.at(c) - slope.at(a)), normal), 0);
+    EXPECT_GT(glm::dot(glm::cross(slope.at(b) - slope.at(a), slope.at(c) - slope.at(a)), normal),
+              0);
   }
 }
 
@@ -221,8 +246,8 @@ TEST(TriangulatePolygon, TakesManyCorners) {
 }
 
 TEST(TriangulatePolygon, AKeyholeIsOneFaceThatCanBeCutAlongItsSlit) {
-  const Outline ring = outlineOf({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0},
-                                  {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}});
+  const Outline ring =
+      outlineOf({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}});
   const auto mesh = test::meshOf(ring.positions, {ring.polygon, {4, 7, 6, 5}});
   EXPECT_EQ(mesh->faceCount(), 2u);
   EXPECT_EQ(mesh->boundaryLoopCount(), 1u);

@@ -208,7 +208,8 @@ TEST_P(SplitSamples, AreTheSameSurfaceAgain) {
     EXPECT_EQ(mesh->boundaryLoopCount(), whole->boundaryLoopCount());
     EXPECT_EQ(mesh->eulerNumber(), whole->eulerNumber());
     EXPECT_EQ(repairCount(*mesh, "welded-vertices"), split.positions.size() - whole->vertexCount());
-    EXPECT_NEAR(computeGaussArea(*mesh, 45).total(), expected.total(), 1e-9 * std::max(1.0, expected.total()));
+    EXPECT_NEAR(computeGaussArea(*mesh, 45).total(), expected.total(),
+                1e-9 * std::max(1.0, expected.total()));
     // In any order of faces, each from any corner.
     const auto shuffled = build(test::shuffledFaces(split, seed), 0);
     EXPECT_EQ(shuffled->componentCount(), whole->componentCount());

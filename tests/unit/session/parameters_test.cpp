@@ -49,7 +49,8 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
         info.member);
   }
   const Parameters defaults;
-  EXPECT_EQ(parameterTable().size(), 38u);
+  EXPECT_EQ(parameterTable().size(), 39u);
+  EXPECT_NE(changed.weld, defaults.weld);
   EXPECT_NE(changed.method, defaults.method);
   EXPECT_NE(changed.vsaSeeding, defaults.vsaSeeding);
   EXPECT_NE(changed.vsaTeleport, defaults.vsaTeleport);
@@ -103,6 +104,7 @@ TEST(ParameterTable, RowsAreCompleteAndDefaultsAllowed) {
                           !std::holds_alternative<std::string Parameters::*>(info.member);
     EXPECT_EQ(info.choices.empty(),
               !std::holds_alternative<std::string Parameters::*>(info.member));
+    EXPECT_TRUE(*info.orNumber == '\0' || !info.choices.empty());
     if (!isNumber) continue;
     EXPECT_NE(std::string(info.format), "");
     EXPECT_LT(info.sliderMin, info.sliderMax);
@@ -144,6 +146,19 @@ TEST(ParameterText, ReadsEveryKind) {
   EXPECT_EQ(values.refine, "none");
   setParameterFromText(values, row("offsets"), "true");
   EXPECT_TRUE(values.offsets);
+}
+
+TEST(ParameterText, TakesANumberForAChoiceWhereThatHasAMeaning) {
+  Parameters values;
+  EXPECT_EQ(weldDistance(values), 0);
+  setParameterFromText(values, row("weld"), "1e-3");
+  EXPECT_EQ(weldDistance(values), 1e-3);
+  setParameterFromText(values, row("weld"), "off");
+  EXPECT_LT(weldDistance(values), 0);
+  for (const char* text : {"0", "-1", "nan", "inf", "1e999", "1mm", "on", ""}) {
+    EXPECT_NE(refusal("weld", text).find("auto or off or a number above 0"), std::string::npos);
+  }
+  EXPECT_NE(refusal("method", "3"), "");
 }
 
 TEST(ParameterRefusal, NamesOptionValueAndRange) {
