@@ -68,8 +68,9 @@ void Pipeline::glueAnew(Progress& progress) {
   }
   offsets_.clear();
   normals_.clear();
+  // Other parts want other seeds; those placed by hand stay where faces have the same numbers.
+  seeds_ = seedFaces(document_.seeds);
   if (sameFaces) return;
-  // Seeds and hints have numbers of the old mesh.
   seeds_.clear();
   document_.seeds.clear();
   document_.hints.clear();

@@ -73,6 +73,27 @@ TEST_P(SessionWith, KeepsTheOldMeshWhenOpeningFails) {
   EXPECT_TRUE(anyError());
 }
 
+TEST_P(SessionWith, GluesTheMeshAnewWhereVerticesAreJoinedInAnotherWay) {
+  // Two squares side by side that share no vertex.
+  const auto joined = test::meshOf(
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}},
+      {{0, 1, 2, 3}, {4, 5, 6, 7}});
+  session_.openMesh(joined);
+  session_.waitIdle();
+  set([](Document& d) { d.parameters.charts = 1; });
+  EXPECT_EQ(after(StepUnit::Converged)->segmentation->chartCount, 1u);
+  const std::uint64_t version = session_.results()->meshVersion;
+  set([](Document& d) { d.parameters.weld = "off"; });
+  auto results = session_.results();
+  EXPECT_GT(results->meshVersion, version);
+  EXPECT_EQ(results->mesh->componentCount(), 2u);
+  ASSERT_TRUE(results->segmentation);
+  EXPECT_EQ(results->segmentation->chartCount, 2u);
+  set([](Document& d) { d.parameters.weld = "auto"; });
+  EXPECT_EQ(session_.results()->mesh->componentCount(), 1u);
+  EXPECT_FALSE(anyError());
+}
+
 TEST_P(SessionWith, StepWithoutMeshIsRefused) {
   after(StepUnit::Flood);
   EXPECT_TRUE(anyError());
