@@ -1,64 +1,15 @@
 #include "core/model/triangulate_faces.h"
 
 #include <algorithm>
-#include <mutex>
 
 #include "core/base/check.h"
 #include "core/base/error.h"
-#include "core/base/parallel.h"
-#include "core/model/position_table.h"
+#include "core/model/needless_corners.h"
 #include "core/model/triangulate_polygon.h"
 
 namespace chartflood {
 
 namespace {
-
-constexpr std::size_t kTriangulationBlock = 1 << 15;
-
-/// Ends of an edge, the smaller vertex first, and the corner at which it ends.
-struct PointEdge {
-  Index least, most;
-  std::size_t corner;
-};
-
-/// Edges of no length between different vertices.
-std::vector<PointEdge> pointEdges(const InputMesh& input) {
-  std::vector<PointEdge> edges;
-  std::mutex mutex;
-  parallelBlocks(input.faceCount(), kTriangulationBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      const std::span<const Index> face = input.face(f);
-      const std::size_t first = static_cast<std::size_t>(face.data() - input.corners.data());
-      for (std::size_t i = 0; i < face.size(); ++i) {
-        const std::size_t to = i + 1 == face.size() ? 0 : i + 1;
-        const Index a = face[i], b = face[to];
-        if (a == b || !samePlace(input.positions[a], input.positions[b])) continue;
-        std::lock_guard lock(mutex);
-        edges.push_back({std::min(a, b), std::max(a, b), first + to});
-      }
-    }
-  });
-  std::sort(edges.begin(), edges.end(), [](const PointEdge& x, const PointEdge& y) {
-    if (x.least != y.least) return x.least < y.least;
-    return x.most != y.most ? x.most < y.most : x.corner < y.corner;
-  });
-  return edges;
-}
-
-/// Corners at the end of an edge of no length that one face alone has, ascending.
-std::vector<std::size_t> needlessCorners(const InputMesh& input) {
-  const std::vector<PointEdge> edges = pointEdges(input);
-  std::vector<std::size_t> corners;
-  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
-    while (end < edges.size() && edges[end].least == edges[i].least &&
-           edges[end].most == edges[i].most) {
-      ++end;
-    }
-    if (end - i == 1) corners.push_back(edges[i].corner);
-  }
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
 
 class FaceTriangulation {
  public:

@@ -26,9 +26,8 @@ void expectSameInAnyOrder(const Mesh& mesh) {
 class RealMeshes : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Folder, RealMeshes,
                          testing::Values("happy-buddha-20000.obj", "happy-buddha-19976.ply",
-                                         "rocker-arm.obj", "fandisk.obj", "homer.obj",
-                                         "cow.obj", "bones.off", "cheese.off",
-                                         "anchor_dense.off"));
+                                         "rocker-arm.obj", "fandisk.obj", "homer.obj", "cow.obj",
+                                         "bones.off", "cheese.off", "anchor_dense.off"));
 
 TEST_P(RealMeshes, HaveOneGaussAreaInAnyOrder) {
   const auto mesh = test::realMesh(GetParam());

@@ -2,6 +2,7 @@
 
 #include "core/io/write_glb.h"
 
+#include <array>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -83,7 +84,8 @@ void expectTheChartsOf(const Charted& charted, const GlbFile& glb) {
     const ChartSurface& s = charted.charts.charts[c].surface;
     vertices += s.vertexCount();
     for (std::size_t t = 0; t < s.triangleCount(); ++t) {
-      for (std::size_t i = 0; i < 3; ++i) {
+      const bool turned = charted.mesh->turned(charted.mesh->faceOf(s.meshTriangle[t]));
+      for (const std::size_t i : turned ? std::array{0u, 2u, 1u} : std::array{0u, 1u, 2u}) {
         const std::uint32_t v = corners[next++];
         const Index meshVertex = charted.mesh->triangles()[s.meshTriangle[t]][i];
         const Index inputVertex = charted.mesh->inputVertex(meshVertex);

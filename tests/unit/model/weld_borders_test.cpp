@@ -179,6 +179,17 @@ TEST(WeldBorders, LeavesOutEdgesOfNoLengthThatNoOtherFaceHas) {
   EXPECT_EQ(mesh->eulerNumber(), 2);
 }
 
+TEST(WeldBorders, LeavesOutTrianglesOfNoLengthOnlyBetweenTwoFaces) {
+  // A fan of two triangles about a place that each has as a vertex of its own, and a third, of no
+  // width, between them; then without the second.
+  const std::vector<glm::dvec3> p = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 1, 0}};
+  const auto fan = test::meshOf(p, {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}});
+  EXPECT_EQ(fan->faceCount(), 2u);
+  EXPECT_EQ(fan->componentCount(), 1u);
+  const auto lone = test::meshOf(p, {{0, 1, 2}, {0, 2, 3}});
+  EXPECT_EQ(lone->faceCount(), 2u);
+}
+
 TEST(WeldBorders, ClosesGapsUpToADistance) {
   InputMesh input;
   addCube(input, {0, 0, 0}, true);
