@@ -15,8 +15,7 @@ std::vector<std::uint8_t> innerSides(const Mesh& mesh) {
   std::vector<std::uint8_t> inner(mesh.triangleCount(), 0);
   if (mesh.facesAreTriangles()) return inner;
   for (Index side = 0; side < mesh.opposite().size(); ++side) {
-    const Index other = mesh.opposite()[side];
-    if (other == kNone || mesh.faceOf(other / 3) != mesh.faceOf(side / 3)) continue;
+    if (!mesh.isDiagonal(side)) continue;
     inner[side / 3] = static_cast<std::uint8_t>(inner[side / 3] | 1u << side % 3);
   }
   return inner;

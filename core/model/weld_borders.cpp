@@ -4,11 +4,14 @@
 #include <array>
 #include <tuple>
 
+#include "core/base/parallel.h"
 #include "core/model/position_table.h"
 
 namespace chartflood {
 
 namespace {
+
+constexpr std::size_t kPlaceBlock = 1 << 14;
 
 /// A side by the places and the vertices it runs between, each pair in the order of places.
 struct PlacedSide {
@@ -25,6 +28,22 @@ struct PlacedSide {
     return vertexA == o.vertexA && vertexB == o.vertexB;
   }
 };
+
+/// Sides listed by their smaller place, each list sorted.
+std::vector<PlacedSide> listedByPlace(const std::vector<PlacedSide>& sides, std::size_t places) {
+  std::vector<Index> start(places + 1, 0);
+  for (const PlacedSide& s : sides) ++start[s.placeA + 1];
+  for (std::size_t p = 0; p < places; ++p) start[p + 1] += start[p];
+  std::vector<Index> next(start.begin(), start.end() - 1);
+  std::vector<PlacedSide> out(sides.size());
+  for (const PlacedSide& s : sides) out[next[s.placeA]++] = s;
+  parallelBlocks(places, kPlaceBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      std::sort(out.begin() + start[p], out.begin() + start[p + 1]);
+    }
+  });
+  return out;
+}
 
 class BorderWelder {
  public:
@@ -87,8 +106,7 @@ std::vector<PlacedSide> BorderWelder::sidesAt(const std::vector<bool>& places,
     if (place_[u] > place_[v]) std::swap(u, v);
     sides.push_back({place_[u], place_[v], u, v, s});
   }
-  std::sort(sides.begin(), sides.end());
-  return sides;
+  return listedByPlace(sides, placeCount_);
 }
 
 template <class Visit>
@@ -121,7 +139,7 @@ std::vector<bool> BorderWelder::placesOfPairs() {
   for (const auto& triangle : d_.triangles) {
     for (const Index v : triangle) used[v] = true;
   }
-  placeVertices(used);
+  if (used != onBorder) placeVertices(used);
   std::vector<bool> places(placeCount_, false);
   for (const Index v : ends) places[place_[v]] = true;
   return places;
