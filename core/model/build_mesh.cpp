@@ -81,7 +81,7 @@ std::size_t normalise(const InputMesh& input, MeshData& d) {
 /// \returns whether vertices of the input were joined
 bool glue(const InputMesh& input, double weld, MeshData& d, Findings& found) {
   GlueFindings edges = glueEdges(d, input.positions.size());
-  const bool joined = weld >= 0 && weldBorders(d, input.positions, weld, edges.conflicts);
+  const bool joined = weld >= 0 && weldBorders(d, input.positions, weld, edges);
   std::sort(d.slits.begin(), d.slits.end());
   found.turnedFaces = orientFaces(d, edges.conflicts);
   found.nonManifoldEdges = edges.nonManifoldEdges;

@@ -50,7 +50,7 @@ class BorderWelder {
   BorderWelder(MeshData& d, std::span<const glm::dvec3> positions, double distance)
       : d_(d), positions_(positions), distance_(distance) {}
 
-  bool run(std::vector<std::pair<Index, Index>>& conflicts);
+  bool run(GlueFindings& found);
 
  private:
   Index start(Index side) const { return d_.triangles[side / 3][side % 3]; }
@@ -65,6 +65,7 @@ class BorderWelder {
   bool meetElsewhere(Index u, Index v) const;
   bool sameOutline(Index side, Index other) const;
   bool mayGlue(const PlacedSide& x, const PlacedSide& y) const;
+  bool glue(const PlacedSide& x, const PlacedSide& y, GlueFindings& found);
   template <class Visit>
   static void forEachEdge(std::span<const PlacedSide> sides, const Visit& visit);
 
@@ -191,7 +192,21 @@ bool BorderWelder::mayGlue(const PlacedSide& x, const PlacedSide& y) const {
   return !sameOutline(x.side, y.side);
 }
 
-bool BorderWelder::run(std::vector<std::pair<Index, Index>>& conflicts) {
+/// Of an edge with its two sides at different vertices. \returns false when they stay apart
+bool BorderWelder::glue(const PlacedSide& x, const PlacedSide& y, GlueFindings& found) {
+  if (!mayGlue(x, y)) return false;
+  const Index s = x.side, t = y.side;
+  if ((start(s) == x.vertexA) == (start(t) == y.vertexA)) {
+    found.conflicts.emplace_back(std::min(s, t), std::max(s, t));
+    return true;
+  }
+  d_.opposite[s] = t;
+  d_.opposite[t] = s;
+  if (isWithinFace(d_, s, t)) d_.slits.insert(d_.slits.end(), {s, t});
+  return true;
+}
+
+bool BorderWelder::run(GlueFindings& found) {
   const std::vector<bool> places = placesOfPairs();
   if (places.empty()) return false;
   const std::vector<PlacedSide> sides = sidesAt(places, false);
@@ -199,26 +214,24 @@ bool BorderWelder::run(std::vector<std::pair<Index, Index>>& conflicts) {
   std::sort(crowded_.begin(), crowded_.end());
   bool any = false;
   forEachEdge(sides, [&](std::span<const PlacedSide> edge) {
-    if (edge.size() != 2 || !mayGlue(edge[0], edge[1])) return;
-    any = true;
-    const Index s = edge[0].side, t = edge[1].side;
-    if ((start(s) == edge[0].vertexA) == (start(t) == edge[1].vertexA)) {
-      conflicts.emplace_back(std::min(s, t), std::max(s, t));
-    } else {
-      d_.opposite[s] = t;
-      d_.opposite[t] = s;
-      if (isWithinFace(d_, s, t)) d_.slits.insert(d_.slits.end(), {s, t});
+    if (edge.size() == 2) {
+      any = glue(edge[0], edge[1], found) || any;
+    } else if (edge.size() > 2 && !edge.front().sameVertices(edge.back()) &&
+               std::all_of(edge.begin(), edge.end(),
+                           [&](const PlacedSide& s) { return d_.opposite[s.side] == kNone; })) {
+      ++found.nonManifoldEdges;
+      for (const PlacedSide& s : edge) found.nonManifoldSides.push_back(s.side);
     }
   });
-  std::sort(conflicts.begin(), conflicts.end());
+  std::sort(found.conflicts.begin(), found.conflicts.end());
   return any;
 }
 
 }  // namespace
 
 bool weldBorders(MeshData& d, std::span<const glm::dvec3> positions, double distance,
-                 std::vector<std::pair<Index, Index>>& conflicts) {
-  return BorderWelder(d, positions, distance).run(conflicts);
+                 GlueFindings& found) {
+  return BorderWelder(d, positions, distance).run(found);
 }
 
 }  // namespace chartflood

@@ -1,13 +1,11 @@
 #pragma once
 /// Joining the borders of a surface where the file repeats vertices, a step of buildMesh().
 
-#include <cstddef>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "core/model/glue_edges.h"
 #include "core/model/mesh.h"
 
 namespace chartflood {
@@ -24,10 +22,11 @@ namespace chartflood {
 ///
 /// \param distance how far vertices at one place may lie apart, in the units of `positions`; 0:
 ///   equal bit by bit
-/// \param conflicts gets sides that belong together but run the same way, the smaller first
+/// \param found gets as conflicts the sides that belong together but run the same way, and as
+///   non-manifold those of crowded edges without any two that are glued
 /// Cost: linear in the number of border sides; in all sides, with hashing, where some can be glued.
 /// \returns whether any were glued or are in conflict
 bool weldBorders(MeshData& d, std::span<const glm::dvec3> positions, double distance,
-                 std::vector<std::pair<Index, Index>>& conflicts);
+                 GlueFindings& found);
 
 }  // namespace chartflood

@@ -36,6 +36,18 @@ TEST_P(RealMeshes, HaveOneGaussAreaInAnyOrder) {
   expectSameInAnyOrder(*mesh);
 }
 
+TEST(SignedGaussArea, IsThatOfTheEulerNumberWhereNothingFolds) {
+  for (const char* file : {"rocker-arm.obj", "fandisk.obj", "homer.obj", "casting.off",
+                           "bracket-3.stl", "armadillo-80354.ply"}) {
+    const auto mesh = test::realMesh(file);
+    if (!mesh) GTEST_SKIP() << "the folder of real meshes is not there";
+    ASSERT_TRUE(mesh->closed());
+    EXPECT_NEAR(computeGaussArea(*mesh, 45).signedTotal,
+                2 * std::numbers::pi * static_cast<double>(mesh->eulerNumber()), 1e-6)
+        << file;
+  }
+}
+
 TEST(FaceOrder, FoldedSheetsHaveOneGaussArea) {
   // A grid crumpled onto few places, so that faces lie on each other and normals are opposite.
   InputMesh input = test::copyInput(*test::grid(14, true));

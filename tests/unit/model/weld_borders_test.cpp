@@ -128,7 +128,10 @@ TEST(WeldBorders, JoinsBoxesInPiecesAwayFromWhereTheyTouch) {
   InputMesh face;  // the two sides that touch stay alone
   addCube(face, {0, 0, 0}, true);
   addCube(face, {1, 0, 0}, true);
-  EXPECT_EQ(build(face, 0)->componentCount(), 4u);
+  const auto touching = build(face, 0);
+  EXPECT_EQ(touching->componentCount(), 4u);
+  EXPECT_EQ(repairCount(*touching, "non-manifold-edges"), 4u);
+  EXPECT_EQ(repairCount(*touching, "lone-faces"), 2u);
 }
 
 TEST(WeldBorders, LeavesBothSidesOfASheetApart) {
