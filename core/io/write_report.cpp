@@ -84,7 +84,9 @@ Json chartJson(const ChartReport& chart) {
           {"linf_stretch", figure(&Distortion::linf)},
           {"area_distortion", figure(&Distortion::area)},
           {"angle_distortion", figure(&Distortion::angle)},
-          {"flipped", chart.distortion ? Json(chart.distortion->flipped) : Json(nullptr)}};
+          {"flipped", chart.distortion ? Json(chart.distortion->flipped) : Json(nullptr)},
+          {"triangles_without_area",
+           chart.distortion ? Json(chart.distortion->shapeless) : Json(nullptr)}};
 }
 
 /// A figure over all charts, null where no chart is laid flat.
@@ -144,6 +146,16 @@ Json runsJson(const std::vector<RunReport>& runs) {
   return json;
 }
 
+/// In the charts that are laid flat.
+Json trianglesWithoutArea(const ResultReport& result) {
+  if (!result.stretch) return nullptr;
+  std::size_t sum = 0;
+  for (const ChartReport& chart : result.perChart) {
+    if (chart.distortion) sum += chart.distortion->shapeless;
+  }
+  return sum;
+}
+
 Json resultJson(const ResultReport& result) {
   using S = StretchReport;
   Json charts = Json::array();
@@ -163,6 +175,7 @@ Json resultJson(const ResultReport& result) {
           {"area_distortion_median", over(result, [](const S& s) { return s.area.median; })},
           {"area_distortion_max", over(result, [](const S& s) { return s.area.max; })},
           {"flipped_triangles", over(result, [](const S& s) { return s.flippedTriangles; })},
+          {"triangles_without_area", trianglesWithoutArea(result)},
           {"seam_length", number(result.seamLength)},
           {"seam_length_over_sqrt_area", number(result.seamLengthOverSqrtArea)},
           {"cut_length", number(result.cutLength)},

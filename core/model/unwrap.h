@@ -20,6 +20,8 @@ struct Distortion {
   double area = 1;
   double angle = 1;         ///< area-weighted mean of s1 / s2, the singular values
   std::size_t flipped = 0;  ///< triangles that face the other way than most
+  /// Triangles that have no area in space, so that nothing about them can be measured.
+  std::size_t shapeless = 0;
 };
 
 /// One chart in the plane.

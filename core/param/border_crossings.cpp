@@ -127,7 +127,7 @@ bool findCrossings(std::span<const Index> loop, std::span<const glm::dvec2> uv, 
 }
 
 bool findTouches(std::span<const Index> loop, std::span<const glm::dvec2> uv, double share,
-                 std::vector<bool>& touching) {
+                 std::span<const double> room, std::vector<bool>& touching) {
   const std::size_t n = loop.size();
   std::vector<bool> crossing;
   touching.assign(n, false);
@@ -141,7 +141,9 @@ bool findTouches(std::span<const Index> loop, std::span<const glm::dvec2> uv, do
   const auto test = [&](std::size_t vertex, std::size_t segment) {
     const std::size_t before = vertex == 0 ? n - 1 : vertex - 1;
     if (segment == vertex || segment == before || touching[vertex]) return;
-    const double least = share * std::min(length(vertex), length(before));
+    double size = std::min(length(vertex), length(before));
+    if (!room.empty()) size = std::min(size, room[vertex]);
+    const double least = share * size;
     if (distanceToSegment(grid.start(vertex), grid.start(segment), grid.end(segment)) < least) {
       touching[vertex] = any = true;
     }

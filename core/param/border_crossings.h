@@ -25,9 +25,9 @@ bool findCrossings(std::span<const Index> loop, std::span<const glm::dvec2> uv, 
                    std::vector<bool>& crossing);
 
 /// Marks the vertices (of `loop[i]`) that come nearer to a segment that is not their own than
-/// `share` of the shorter of their two segments, and the ends of segments that cross another
-/// however little. \return true when there is any
+/// `share` of the shorter of their two segments, or of `room[i]` if that is less (empty: it never
+/// is), and the ends of segments that cross another however little. \return true when there is any
 bool findTouches(std::span<const Index> loop, std::span<const glm::dvec2> uv, double share,
-                 std::vector<bool>& touching);
+                 std::span<const double> room, std::vector<bool>& touching);
 
 }  // namespace chartflood

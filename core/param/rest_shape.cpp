@@ -9,15 +9,14 @@ namespace chartflood {
 
 namespace {
 
-/// Thinnest triangle, as height over its longest edge; below it Newton steps of all others would
-/// have to follow the sliver.
-constexpr double kLeastHeight = 1e-4;
 /// Shortest longest edge of a triangle, over the mean edge of the chart.
 constexpr double kLeastEdge = 1e-2;
 constexpr double kSturdyHeight = 1e-7;
 
-/// Corners in the plane, the longest edge along x.
-std::array<glm::dvec2, 3> layFlat(const std::array<glm::dvec3, 3>& p, double leastEdge) {
+/// Corners in the plane, the longest edge along x. The height grows to the least one where it is
+/// below; its foot stays where it is, as to move it would shear the triangle.
+std::array<glm::dvec2, 3> layFlat(const std::array<glm::dvec3, 3>& p, double leastEdge,
+                                  double leastHeight) {
   int first = 0;
   double longest = -1;
   for (int i = 0; i < 3; ++i) {
@@ -35,13 +34,10 @@ std::array<glm::dvec2, 3> layFlat(const std::array<glm::dvec3, 3>& p, double lea
     height = glm::length(glm::cross(edge, side)) / longest;
   }
   if (!(longest > leastEdge)) {
-    if (height < kLeastHeight * longest) height = leastEdge / 2;
+    if (height < leastHeight * longest) height = leastEdge / 2;
     longest = leastEdge;
   }
-  if (height < kLeastHeight * longest) {
-    height = kLeastHeight * longest;
-    along = std::clamp(along, 1e-2, 1 - 1e-2);
-  }
+  height = std::max(height, leastHeight * longest);
   std::array<glm::dvec2, 3> flat;
   flat[first] = {0, 0};
   flat[(first + 1) % 3] = {longest, 0};
@@ -64,14 +60,16 @@ double meanEdge(const ChartSurface& surface) {
 }  // namespace
 
 RestShape::RestShape(const ChartSurface& surface)
-    : triangles(surface.triangles), vertices(surface.vertexCount()) {
+    : triangles(surface.triangles), vertices(surface.vertexCount()),
+      thinness(thinnessOf(surface)) {
   weight.reserve(triangles.size());
   gradient.reserve(triangles.size());
   const double leastEdge = kLeastEdge * meanEdge(surface);
   double total = 0;
   for (const auto& t : triangles) {
     const auto p = layFlat(
-        {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]}, leastEdge);
+        {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]}, leastEdge,
+        thinness.usual);
     const glm::dvec2 e1 = p[1] - p[0], e2 = p[2] - p[0];
     const double area2 = e1.x * e2.y - e1.y * e2.x;
     gradient.push_back({glm::dvec2(e2.y, -e2.x) / area2, glm::dvec2(-e1.y, e1.x) / area2});

@@ -11,12 +11,13 @@
 
 #include "core/base/index.h"
 #include "core/model/chart_surface.h"
+#include "core/param/thin_triangles.h"
 
 namespace chartflood {
 
 /// Lengths are in units of sqrt(chart area), so that the weights add up to 1 whatever the scale.
-/// Triangles without a usable shape (collinear, vanishing edges) get a thin one in its place, so
-/// that all numbers stay in range.
+/// Triangles much thinner than the others (collinear, vanishing edges) get a somewhat thicker one in
+/// their place, so that all numbers stay in range and the others need not follow them.
 struct RestShape {
   explicit RestShape(const ChartSurface& surface);
 
@@ -30,6 +31,7 @@ struct RestShape {
   /// (counter-clockwise); that of corner 0 is minus their sum.
   std::vector<std::array<glm::dvec2, 2>> gradient;
   double unit = 1;  ///< normalised units per unit of length here
+  ChartThinness thinness;
 };
 
 /// A linear map of the plane as z -> alpha z + beta conj(z). alpha is its part without shear.

@@ -13,6 +13,7 @@ namespace chartflood {
 namespace {
 
 constexpr double kAreaFloor = 1e-10;    // of the mean area of a triangle in the plane
+constexpr double kOwnFloor = 1e-3;      // of the own area there, if it kept that of its chart
 constexpr double kLargestRatio = 1e15;  // where a ratio of a vanishing triangle ends
 
 double spaceArea(const ChartSurface& surface, std::size_t triangle) {
@@ -22,13 +23,13 @@ double spaceArea(const ChartSurface& surface, std::size_t triangle) {
                    glm::cross(surface.positions[t[1]] - origin, surface.positions[t[2]] - origin));
 }
 
-/// False for a triangle that is degenerate as a Mesh says it: nothing about it can be measured.
+/// False where nothing about the triangle can be measured.
 bool hasShape(const ChartSurface& surface, std::size_t triangle, double area) {
   double longest = 0;
   for (Index i = 0; i < 3; ++i) {
     longest = std::max(longest, sideLength(surface, static_cast<Index>(3 * triangle + i)));
   }
-  return 2 * area > 1e-10 * longest * longest;
+  return 2 * area > kNoShape * longest * longest;
 }
 
 /// Areas of the chart that its triangles are compared with.
@@ -56,12 +57,12 @@ ComparedAreas chartAreas(const ChartSurface& surface, std::span<const glm::dvec2
 TriangleDistortion distortionOf(const std::array<glm::dvec3, 3>& q,
                                 const std::array<glm::dvec2, 3>& p, double planeArea,
                                 double spaceArea, double factor) {
-  // Partial derivatives of the map from the plane to space (Sander 2001, section 3).
+  // Partial derivatives of the map from the plane to space (Sander 2001, section 3), from edges:
+  // with places, thin triangles would show the roundings of where they lie.
   const double half = 0.5 / planeArea;
-  const glm::dvec3 s =
-      half * (q[0] * (p[1].y - p[2].y) + q[1] * (p[2].y - p[0].y) + q[2] * (p[0].y - p[1].y));
-  const glm::dvec3 t =
-      half * (q[0] * (p[2].x - p[1].x) + q[1] * (p[0].x - p[2].x) + q[2] * (p[1].x - p[0].x));
+  const glm::dvec3 q1 = q[1] - q[0], q2 = q[2] - q[0];
+  const glm::dvec2 p1 = p[1] - p[0], p2 = p[2] - p[0];
+  const glm::dvec3 s = half * (q1 * p2.y - q2 * p1.y), t = half * (q2 * p1.x - q1 * p2.x);
   const double a = glm::dot(s, s), c = glm::dot(t, t);
   const double product = spaceArea / planeArea;  // of the singular values
   // (s1 + s2)^2 and (s1 - s2)^2; rounding may take the second below 0.
@@ -99,7 +100,8 @@ std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
     if (std::isfinite(factor) && factor > 0 && hasShape(surface, t, space)) {
       result[t] =
           distortionOf({surface.positions[v[0]], surface.positions[v[1]], surface.positions[v[2]]},
-                       p, std::max(std::abs(plane), least), space, factor);
+                       p, std::max(std::abs(plane), std::min(least, kOwnFloor * space * factor)),
+                       space, factor);
     }
     result[t].flipped = plane != 0 && (plane < 0) != areas.clockwise;
   }
@@ -113,12 +115,16 @@ Distortion chartDistortion(const ChartSurface& surface,
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const TriangleDistortion& one = triangles[t];
     const double weight = spaceArea(surface, t);
+    d.flipped += one.flipped ? 1 : 0;
+    if (!hasShape(surface, t, weight)) {
+      ++d.shapeless;
+      continue;
+    }
     total += weight;
     square += weight * one.l2 * one.l2;
     area += weight * std::max(one.areaRatio, 1 / one.areaRatio);
     angle += weight * one.angle;
     linf = std::max(linf, one.linf);
-    d.flipped += one.flipped ? 1 : 0;
   }
   if (!(total > 0)) return d;
   d.l2 = std::sqrt(square / total);

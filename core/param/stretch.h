@@ -24,8 +24,9 @@ struct TriangleDistortion {
   bool flipped = false;  ///< faces the other way than most
 };
 
-/// One entry a triangle. A triangle's area in the plane counts as at least 1e-10 of the mean, and
-/// one that is degenerate in space has distortion 1, so that all figures are finite.
+/// One entry a triangle. A triangle's area in the plane counts as at least 1e-10 of the mean (or
+/// 1e-3 of what it would be without stretch, if that is less), and one that is degenerate in space
+/// has distortion 1, so that all figures are finite.
 /// \param uv place of each vertex of the surface
 std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
                                                    std::span<const glm::dvec2> uv);

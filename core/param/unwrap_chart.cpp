@@ -7,8 +7,10 @@
 #include "core/charts/boundary_cut.h"
 #include "core/param/chart_shape.h"
 #include "core/param/circle_map.h"
+#include "core/param/cone_cuts.h"
 #include "core/param/free_map.h"
 #include "core/param/rest_shape.h"
+#include "core/param/unfold.h"
 
 namespace chartflood {
 
@@ -22,6 +24,12 @@ constexpr double kDeepEnough = 0.1;   // of the greatest distance from the bound
 /// Measured limits of 1.5, 3, 4, 6 and 10 for a mean L2 of the armadillo's 20 charts of 4.4, 3.5,
 /// 3.2, 3.0 and 4.6 with 129, 52, 34, 9 and 1 cuts: slits have a boundary to squeeze themselves.
 constexpr double kCircleFactor = 4;
+/// L2 up to which a chart counts as not stretched: one of thin triangles with more is opened at its
+/// cones and rims.
+constexpr double kStretchesNot = 1.0005;
+/// Length of such cuts, over that of the boundary, at which nobody need ask what the chart would
+/// stretch without; and the most they may take.
+constexpr double kCheapCuts = 0.01, kMostCuts = 1;
 
 /// Triangles that are not counter-clockwise.
 std::size_t badTriangles(const ChartSurface& surface, std::span<const glm::dvec2> uv) {
@@ -66,10 +74,47 @@ Attempt measured(const ChartShape& shape, std::vector<glm::dvec2> places) {
   return attempt;
 }
 
-Attempt layFlat(const ChartSurface& surface, const UnwrapOptions& options,
+Attempt layFlat(const ChartShape& shape, const UnwrapOptions& options,
                 const std::vector<glm::dvec2>& before, const Progress& progress) {
-  const ChartShape shape(surface);
   return measured(shape, flatten(shape, options.boundary, before, progress));
+}
+
+/// The unfolded chart, opened at its cones and rims, if that lays it flat without stretch.
+std::optional<Attempt> openedAndUnfolded(const CutChart& chart, double mostCuts,
+                                         std::optional<CutChart>& relieved) {
+  CutChart open = chart;
+  if (!openCones(open, mostCuts)) return {};
+  const ChartShape shape(open.surface);
+  std::vector<glm::dvec2> uv = unfoldedMap(shape);
+  if (uv.empty()) return {};
+  Attempt attempt = measured(shape, std::move(uv));
+  relieved = std::move(open);
+  return attempt;
+}
+
+/// Lays a chart flat with a free boundary. What is made of thin triangles is mostly developable, and
+/// equations follow thin triangles badly: such a chart is unfolded exactly where it can be. Where
+/// only some are thin, so much that they might flip when places are rounded, the equations widen
+/// them; that stretches nothing that has an area.
+Attempt layThinFlat(const CutChart& chart, const ChartShape& shape, const UnwrapOptions& options,
+                    std::optional<CutChart>& relieved, const Progress& progress) {
+  const ChartThinness& thinness = shape.rest.thinness;
+  std::vector<glm::dvec2> exact;
+  if (thinness.any()) exact = unfoldedMap(shape);
+  if (!exact.empty() && (thinness.mostlyThin || sturdy(shape.rest, exact))) {
+    return measured(shape, std::move(exact));
+  }
+  const bool opens = thinness.mostlyThin && options.reliefStretch > 0;
+  if (opens) {
+    if (auto cheap = openedAndUnfolded(chart, kCheapCuts, relieved)) return *std::move(cheap);
+  }
+  Attempt solved = layFlat(shape, options, {}, progress);
+  const bool stretched = !(solved.flat.chart.distortion.l2 <= kStretchesNot) || solved.bad > 0;
+  if (!stretched || progress.cancelled()) return solved;
+  if (!exact.empty()) return measured(shape, std::move(exact));
+  if (!opens) return solved;
+  auto opened = openedAndUnfolded(chart, kMostCuts, relieved);
+  return opened ? *std::move(opened) : std::move(solved);
 }
 
 /// The inner vertex to slit from: of the triangle that shrank most, and not near the boundary.
@@ -140,7 +185,7 @@ void relieve(const CutChart& chart, Attempt& best, std::optional<CutChart>& reli
     const auto triangles = trial.surface.triangles;
     if (vertex == kNone || !cutToBoundary(trial, vertex, CutReason::Relief)) return;
     const auto before = carriedOver(triangles, last.flat.chart.uv, trial.surface);
-    last = layFlat(trial.surface, options, before, progress);
+    last = layFlat(ChartShape(trial.surface), options, before, progress);
     ++waited;
     if (last.flat.chart.uv.empty() || !clearlyBetter(last, best)) continue;
     best = last;
@@ -158,13 +203,19 @@ FlatChart unwrapChart(const CutChart& chart, const UnwrapOptions& options,
     none.chart.problem = chart.problem;
     return none;
   }
-  Attempt best = layFlat(chart.surface, options, {}, progress);
+  const bool circle = options.boundary == UnwrapOptions::Boundary::Circle;
   std::optional<CutChart> relieved;
-  const double factor = options.boundary == UnwrapOptions::Boundary::Circle ? kCircleFactor : 1;
-  if (options.reliefStretch > 0) {
+  Attempt best;
+  {
+    const ChartShape shape(chart.surface);
+    best = circle ? layFlat(shape, options, {}, progress)
+                  : layThinFlat(chart, shape, options, relieved, progress);
+  }
+  const double factor = circle ? kCircleFactor : 1;
+  if (options.reliefStretch > 0 && !relieved) {
     relieve(chart, best, relieved, factor * options.reliefStretch, options, progress);
   }
-  if (options.boundary == UnwrapOptions::Boundary::Circle && !progress.cancelled()) {
+  if (circle && !progress.cancelled()) {
     const ChartShape shape(relieved ? relieved->surface : chart.surface);
     if (!best.flat.chart.uv.empty() && !sturdy(shape.rest, best.flat.chart.uv)) {
       std::vector<glm::dvec2> uv = sturdyCircleMap(shape, progress);

@@ -130,7 +130,8 @@ std::vector<ParameterInfo> cuttingRows() {
        .format = "%.2f",
        .stage = Stage::Unwrap,
        .group = "Cutting",
-       .help = "Slits a piece where it would stretch more than this. 0: never.",
+       .help = "Slits a piece where it would stretch more than this, and rods and cones of long "
+               "triangles where that leaves no stretch. 0: never.",
        .source = ""},
   };
 }

@@ -73,13 +73,14 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+}  // namespace
+
 std::size_t badTriangles(const ChartSurface& surface, const std::vector<glm::dvec2>& uv) {
   return static_cast<std::size_t>(
       std::count_if(surface.triangles.begin(), surface.triangles.end(),
                     [&](const auto& t) { return !(turn(uv[t[0]], uv[t[1]], uv[t[2]]) > 0); }));
 }
 
-/// By all pairs, unlike the program.
 std::size_t crossings(const ChartSurface& surface, const std::vector<glm::dvec2>& uv) {
   const auto loops = boundaryLoops(surface);
   EXPECT_EQ(loops.size(), 1u);
@@ -94,8 +95,6 @@ std::size_t crossings(const ChartSurface& surface, const std::vector<glm::dvec2>
   }
   return count;
 }
-
-}  // namespace
 
 void expectOneToOne(const ChartSurface& surface, const std::vector<glm::dvec2>& uv) {
   ASSERT_EQ(uv.size(), surface.vertexCount());

@@ -35,6 +35,11 @@ UnwrapResult unwrapWhole(const Mesh& mesh, const UnwrapOptions& options,
 /// after scaling the chart to a tenth of the texture and rounding to 9 digits.
 void expectOneToOne(const ChartSurface& surface, const std::vector<glm::dvec2>& uv);
 
+/// Triangles that are not counter-clockwise.
+std::size_t badTriangles(const ChartSurface& surface, const std::vector<glm::dvec2>& uv);
+/// Pairs of boundary segments that cross, by all pairs, unlike the program.
+std::size_t crossings(const ChartSurface& surface, const std::vector<glm::dvec2>& uv);
+
 double surfaceArea(const ChartSurface& surface);
 double planeArea(const ChartSurface& surface, const std::vector<glm::dvec2>& uv);
 
