@@ -29,7 +29,7 @@ struct Atlas {
   /// that is not laid flat.
   std::vector<std::vector<glm::dvec2>> uv;
   int textureSize = 0;    ///< pixels a side that the margin was kept for
-  int margin = 0;         ///< pixels
+  int margin = 0;         ///< pixels; less than asked for where many charts leave no room for it
   double efficiency = 0;  ///< share of the texture that charts cover
 };
 

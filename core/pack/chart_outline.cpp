@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/base/cross.h"
@@ -41,15 +42,20 @@ std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points) {
   return hull;
 }
 
-EnclosingSquare squareAt(const std::vector<glm::dvec2>& hull, double angle) {
+EnclosingBox boxAt(const std::vector<glm::dvec2>& hull, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   glm::dvec2 low(INFINITY), high(-INFINITY);
   for (const glm::dvec2& p : hull) {
     const glm::dvec2 q(c * p.x - s * p.y, s * p.x + c * p.y);
-    low = {std::min(low.x, q.x), std::min(low.y, q.y)};
-    high = {std::max(high.x, q.x), std::max(high.y, q.y)};
+    low = glm::min(low, q);
+    high = glm::max(high, q);
   }
-  return {angle, std::max(high.x - low.x, high.y - low.y), 0.5 * (low + high)};
+  return {angle, low, high - low};
+}
+
+EnclosingSquare squareAt(const std::vector<glm::dvec2>& hull, double angle) {
+  const EnclosingBox box = boxAt(hull, angle);
+  return {angle, std::max(box.size.x, box.size.y), box.low + 0.5 * box.size};
 }
 
 }  // namespace
@@ -107,6 +113,18 @@ EnclosingSquare smallestSquare(const std::vector<glm::dvec2>& hull) {
     }
   }
   return best;
+}
+
+EnclosingBox smallestBox(const std::vector<glm::dvec2>& hull) {
+  // It has a side along the hull.
+  EnclosingBox best = boxAt(hull, 0);
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const glm::dvec2 along = hull[(i + 1) % hull.size()] - hull[i];
+    if (along == glm::dvec2(0)) continue;
+    const EnclosingBox box = boxAt(hull, -std::atan2(along.y, along.x));
+    if (box.size.x * box.size.y < best.size.x * best.size.y) best = box;
+  }
+  return best.size.x >= best.size.y ? best : boxAt(hull, best.angle + std::numbers::pi / 2);
 }
 
 glm::dvec2 circleCenter(const std::vector<glm::dvec2>& hull) {

@@ -35,6 +35,15 @@ struct EnclosingSquare {
 /// \param hull corners of a convex polygon, counter-clockwise
 EnclosingSquare smallestSquare(const std::vector<glm::dvec2>& hull);
 
+/// The box of the least area around a set of points.
+struct EnclosingBox {
+  double angle = 0;                   ///< turn of the points, radians, that makes the box upright
+  glm::dvec2 low{0.0}, size{0.0};  ///< of the turned points' bounding box, its long side across
+};
+
+/// \param hull corners of a convex polygon, counter-clockwise
+EnclosingBox smallestBox(const std::vector<glm::dvec2>& hull);
+
 /// Centre of a circle around the points that is at most 1 % larger than the smallest one.
 glm::dvec2 circleCenter(const std::vector<glm::dvec2>& hull);
 

@@ -30,7 +30,8 @@ double distance(const Pose& a, const Pose& b) {
 }  // namespace
 
 Contacts::Contacts(std::span<const PackShape> shapes, const PackGaps& gaps)
-    : shapes_(shapes), gaps_(gaps), frames_(shapes.size()), pushes_(shapes.size()) {}
+    : shapes_(shapes), gaps_(gaps), frames_(shapes.size()), pushes_(shapes.size()),
+      depths_(shapes.size()) {}
 
 void Contacts::setFrames(const PackLayout& layout) {
   gap_ = static_cast<float>(gaps_.between * layout.side);
@@ -103,6 +104,7 @@ void Contacts::push(const PackLayout& layout, double skin) {
   setFrames(layout);
   if (!pairsHold(layout)) findPairs(layout);
   std::fill(pushes_.begin(), pushes_.end(), ShapePush());
+  std::fill(depths_.begin(), depths_.end(), 0.0f);
   energy_ = 0, sidePush_ = 0, depth_ = 0;
   for (Pair& pair : pairs_) {
     const Index a = pair.first.field, b = pair.second.field;
@@ -236,7 +238,11 @@ void Contacts::pushFromField(const Group& group) {
   }
   const float total = sumOf(energy);
   if (total == 0) return;
-  depth_ = std::max(depth_, largestOf(deepest));
+  const float depth = largestOf(deepest);
+  for (const Index shape : {group.field, group.points}) {
+    depths_[shape] = std::max(depths_[shape], depth);
+  }
+  depth_ = std::max(depth_, depth);
   const float ownX = sumOf(fx), ownY = sumOf(fy), turn = sumOf(torque);
   const float wx = a.cos * ownX - a.sin * ownY, wy = a.sin * ownX + a.cos * ownY;
   ShapePush &onA = pushes_[group.field], &onB = pushes_[group.points];
@@ -266,7 +272,9 @@ void Contacts::pushFromWalls(const Group& group) {
     energy += pushX * deepX + pushY * deepY;
     side += pushX + pushY;
   }
-  depth_ = std::max(depth_, largestOf(deepest));
+  const float depth = largestOf(deepest);
+  depths_[group.points] = std::max(depths_[group.points], depth);
+  depth_ = std::max(depth_, depth);
   ShapePush& push = pushes_[group.points];
   push.x += sumOf(fx), push.y += sumOf(fy), push.torque += sumOf(torque);
   energy_ += sumOf(energy);

@@ -33,6 +33,8 @@ class Contacts {
   double energy() const { return energy_; }
   double sidePush() const { return sidePush_; }  ///< along the square's side
   double depth() const { return depth_; }        ///< of the deepest point, gaps counted
+  /// Of each shape's deepest contact.
+  std::span<const float> depths() const { return depths_; }
 
  private:
   struct Frame {
@@ -84,6 +86,7 @@ class Contacts {
   Columns columns_;
   std::size_t columnCount_ = 0;
   std::vector<ShapePush> pushes_;
+  std::vector<float> depths_;
   float gap_ = 0, wall_ = 0, depth_ = 0;
   double energy_ = 0, sidePush_ = 0;
 };

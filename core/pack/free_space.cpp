@@ -21,6 +21,7 @@ constexpr std::size_t kMostPoints = 47;
 static_assert(kMostPoints * kOverlapCost * kMostOverlap < 32767);
 
 constexpr int kLanes = static_cast<int>(kShortLanes);
+constexpr int kMostCells = 1024;
 
 short roomOf(double distance) {
   return static_cast<short>(std::clamp(distance * kPerRoom, -32767.0, 32767.0));
@@ -39,8 +40,10 @@ std::vector<PackShape::Point> spreadPoints(const PackShape& shape) {
   return points;
 }
 
+}  // namespace
+
 /// A shape at one turn, in cells: where its points lie from its centre, and the box around them.
-struct Stamp {
+struct FreeSpace::Stamp {
   int offsets[kMostPoints];
   std::size_t count = 0;
   int deepest = 0;
@@ -62,35 +65,23 @@ struct Stamp {
   }
 };
 
-/// Sums of a stamp's costs at eight places side by side; stops where none can be below `best`.
-ShortLanes costOf(const Stamp& stamp, const short* costs, short best) {
-  constexpr std::size_t kBetweenLooks = 6;
-  ShortLanes cost{};
-  for (std::size_t k = 0; k < stamp.count;) {
-    const std::size_t end = std::min(k + kBetweenLooks, stamp.count);
-    for (; k < end; ++k) cost += loadLanes<ShortLanes>(costs + stamp.offsets[k]);
-    if (!anyOf(cost < best)) break;
-  }
-  return cost;
-}
-
-}  // namespace
-
-FreeSpace::FreeSpace(double side, double gap, double border)
-    : side_(side), cell_(side / kCells), need_(roomOf(gap * 1.27)) {
-  constexpr std::size_t kCount = static_cast<std::size_t>(kStride * kStride);
-  room_.resize(kCount + kShortLanes);  // all lanes are read at once: the last ones, and beyond
-  cost_.resize(kCount + kShortLanes);
-  short byCells[kStride];
-  for (int i = 0; i < kStride; ++i) {
+FreeSpace::FreeSpace(double side, double gap, double border, double cell)
+    : cells_(std::clamp(static_cast<int>(side / cell) / kLanes * kLanes, kLanes, kMostCells)),
+      stride_(cells_ + 2 * kFrame), side_(side), cell_(side / cells_), need_(roomOf(gap * 1.27)) {
+  const std::size_t count = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(stride_);
+  room_.resize(count + kShortLanes);  // all lanes are read at once: the last ones, and beyond
+  cost_.resize(count + kShortLanes);
+  std::vector<short> byCells(static_cast<std::size_t>(stride_));
+  for (int i = 0; i < stride_; ++i) {
     // The sides need less space than shapes do.
-    byCells[i] = roomOf((std::min(i, kStride - 1 - i) - kFrame + 0.5) * cell_ - border + gap);
+    byCells[static_cast<std::size_t>(i)] =
+        roomOf((std::min(i, stride_ - 1 - i) - kFrame + 0.5) * cell_ - border + gap);
   }
-  for (int j = 0; j < kStride; ++j) {
-    for (int i = 0; i < kStride; ++i) {
-      room_[static_cast<std::size_t>(j * kStride + i)] = std::min(byCells[i], byCells[j]);
-    }
+  short* room = room_.data();
+  for (const short row : byCells) {
+    for (const short column : byCells) *room++ = std::min(row, column);
   }
+  for (std::size_t at = 0; at < room_.size(); at += kShortLanes) findCosts(at);
 }
 
 Footprint FreeSpace::footprint(const PackShape& shape, const Pose& pose) const {
@@ -102,7 +93,7 @@ Footprint FreeSpace::footprint(const PackShape& shape, const Pose& pose) const {
   const double y = (0.5 - kFrame) * cell_ - side_ / 2 - pose.y;
   const double u0 = (c * x + s * y) / cell_ - field.x0 / field.cell + 0.5;
   const double v0 = (c * y - s * x) / cell_ - field.y0 / field.cell + 0.5;
-  double low[2] = {kStride, kStride}, high[2] = {0, 0};
+  double low[2] = {1.0 * stride_, 1.0 * stride_}, high[2] = {0, 0};
   for (const double u : {0 - u0, field.nx - u0}) {
     for (const double v : {0 - v0, field.ny - v0}) {
       const double at[2] = {(c * u - s * v) / (perCell * perCell),
@@ -111,8 +102,8 @@ Footprint FreeSpace::footprint(const PackShape& shape, const Pose& pose) const {
         low[k] = std::min(low[k], at[k]), high[k] = std::max(high[k], at[k]);
     }
   }
-  const auto cellOf = [](double at) {
-    return static_cast<int>(std::clamp<double>(at, 0, kStride));
+  const auto cellOf = [this](double at) {
+    return static_cast<int>(std::clamp<double>(at, 0, stride_));
   };
   Footprint print;
   print.left = cellOf(low[0]) / kLanes * kLanes, print.bottom = cellOf(low[1]);
@@ -140,58 +131,77 @@ Footprint FreeSpace::footprint(const PackShape& shape, const Pose& pose) const {
 
 void FreeSpace::add(const Footprint& print) {
   for (int j = 0; j < print.height; ++j) {
-    short* room = &room_[static_cast<std::size_t>((print.bottom + j) * kStride + print.left)];
+    const std::size_t first =
+        static_cast<std::size_t>((print.bottom + j) * stride_ + print.left);
     const short* row = &print.room[static_cast<std::size_t>(j * print.width)];
     for (int i = 0; i < print.width; i += kLanes) {
+      const std::size_t at = first + static_cast<std::size_t>(i);
       const ShortLanes least =
-          smaller(loadLanes<ShortLanes>(room + i), loadLanes<ShortLanes>(row + i));
-      std::memcpy(room + i, &least, sizeof least);
+          smaller(loadLanes<ShortLanes>(&room_[at]), loadLanes<ShortLanes>(row + i));
+      std::memcpy(&room_[at], &least, sizeof least);
+      findCosts(at);
     }
   }
 }
 
-void FreeSpace::findCosts() {
+void FreeSpace::findCosts(std::size_t at) {
   const ShortLanes mostOverlap = ShortLanes{} + kMostOverlap, reach = ShortLanes{} + kSnugReach;
-  for (std::size_t k = 0; k + kShortLanes <= cost_.size(); k += kShortLanes) {
-    // Far inside shapes, a distance less the gap may be less than what a short holds.
-    const ShortLanes room = larger(loadLanes<ShortLanes>(&room_[k]), ShortLanes{} - short{16384});
-    const ShortLanes free = room - need_;
-    const ShortLanes cost =
-        free < 0 ? kOverlapCost * smaller(-free, mostOverlap) : smaller(free, reach) / kPerSnugCost;
-    std::memcpy(&cost_[k], &cost, sizeof cost);
-  }
+  // Far inside shapes, a distance less the gap may be less than what a short holds.
+  const ShortLanes room = larger(loadLanes<ShortLanes>(&room_[at]), ShortLanes{} - short{16384});
+  const ShortLanes free = room - need_;
+  const ShortLanes cost =
+      free < 0 ? kOverlapCost * smaller(-free, mostOverlap) : smaller(free, reach) / kPerSnugCost;
+  std::memcpy(&cost_[at], &cost, sizeof cost);
 }
 
-Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) {
-  findCosts();
+/// Sums of a stamp's costs at eight places side by side; stops where none can be below `best`.
+ShortLanes FreeSpace::costOf(const Stamp& stamp, const short* costs, short best) {
+  constexpr std::size_t kBetweenLooks = 6;
+  ShortLanes cost{};
+  for (std::size_t k = 0; k < stamp.count;) {
+    const std::size_t end = std::min(k + kBetweenLooks, stamp.count);
+    for (; k < end; ++k) cost += loadLanes<ShortLanes>(costs + stamp.offsets[k]);
+    if (!anyOf(cost < best)) break;
+  }
+  return cost;
+}
+
+Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) const {
   const std::vector<PackShape::Point> points = spreadPoints(shape);
-  // Where the deepest point does not fit, by far, nothing else needs a look.
-  const short room = roomOf(0.8 * shape.deepest.length);
-  Pose best;
-  short bestCost = 32767;
+  // Where the deepest point does not fit, by far, nothing else needs a look; nor where so much is
+  // free around it that the shape lies snug to nothing.
+  const float far = shape.radius + std::hypot(shape.deepest.x, shape.deepest.y);
+  const Room room{roomOf(0.8 * shape.deepest.length),
+                  roomOf(far + static_cast<float>(kSnugReach) / kPerRoom)};
+  Best best;
   for (int turn = 0; turn < turns; ++turn) {
     const double angle = firstAngle + turn * 2 * std::numbers::pi / turns;
-    const Stamp stamp(shape, points, angle, cell_, kStride);
-    constexpr int kSlack = 2, kFirst = kFrame - kSlack, kLast = kFrame + kCells + kSlack;
-    for (int j = kFirst - stamp.bottom; j <= kLast - stamp.top; ++j) {
-      const int end = kLast - stamp.right;
-      for (int i = kFirst - stamp.left; i <= end; i += kLanes) {
-        const int at = j * kStride + i;
-        const ShortLanes fits =
-            loadLanes<ShortLanes>(&room_[static_cast<std::size_t>(at + stamp.deepest)]) >= room;
-        if (!anyOf(fits)) continue;
-        const ShortLanes cost = costOf(stamp, &cost_[static_cast<std::size_t>(at)], bestCost);
-        if (!anyOf((cost < bestCost) & fits)) continue;
-        for (int lane = 0; lane < std::min(kLanes, end + 1 - i); ++lane) {
-          if (fits[lane] == 0 || cost[lane] >= bestCost) continue;
-          bestCost = cost[lane];
-          best = {(i + lane - kFrame + 0.5) * cell_ - side_ / 2,
-                  (j - kFrame + 0.5) * cell_ - side_ / 2, angle};
-        }
+    lookAt(Stamp(shape, points, angle, cell_, stride_), angle, room, best);
+  }
+  return best.pose;
+}
+
+void FreeSpace::lookAt(const Stamp& stamp, double angle, const Room& room, Best& best) const {
+  constexpr int kSlack = 2, kFirst = kFrame - kSlack;
+  const int last = kFrame + cells_ + kSlack;
+  for (int j = kFirst - stamp.bottom; j <= last - stamp.top; ++j) {
+    const int end = last - stamp.right;
+    for (int i = kFirst - stamp.left; i <= end; i += kLanes) {
+      const int at = j * stride_ + i;
+      const ShortLanes around =
+          loadLanes<ShortLanes>(&room_[static_cast<std::size_t>(at + stamp.deepest)]);
+      const ShortLanes fits = (around >= room.least) & (around <= room.most);
+      if (!anyOf(fits)) continue;
+      const ShortLanes cost = costOf(stamp, &cost_[static_cast<std::size_t>(at)], best.cost);
+      if (!anyOf((cost < best.cost) & fits)) continue;
+      for (int lane = 0; lane < std::min(kLanes, end + 1 - i); ++lane) {
+        if (fits[lane] == 0 || cost[lane] >= best.cost) continue;
+        best.cost = cost[lane];
+        best.pose = {(i + lane - kFrame + 0.5) * cell_ - side_ / 2,
+                     (j - kFrame + 0.5) * cell_ - side_ / 2, angle};
       }
     }
   }
-  return best;
 }
 
 }  // namespace chartflood

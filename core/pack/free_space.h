@@ -19,8 +19,9 @@ struct Footprint {
 /// Distance to the nearest placed shape or side of the square, on a grid of cells.
 class FreeSpace {
  public:
-  /// \param gap distance to keep between shapes, \param border to the sides; layout units
-  FreeSpace(double side, double gap, double border);
+  /// All in layout units. \param gap distance to keep between shapes, \param border to the sides,
+  /// \param cell about what the cells' sides shall be
+  FreeSpace(double side, double gap, double border, double cell);
 
   /// To be used again in all squares of the same size.
   Footprint footprint(const PackShape& shape, const Pose& pose) const;
@@ -28,16 +29,27 @@ class FreeSpace {
 
   /// The place where the shape lies closest to what is there and overlaps it least, over all cells
   /// and `turns` turns from `firstAngle` on.
-  Pose bestPose(const PackShape& shape, double firstAngle, int turns);
+  Pose bestPose(const PackShape& shape, double firstAngle, int turns) const;
 
  private:
-  static constexpr int kCells = 72;  ///< a side of the square
-  static constexpr int kFrame = 4;   ///< cells around it
-  static constexpr int kStride = kCells + 2 * kFrame;
-  static_assert(kStride % kShortLanes == 0);
+  static constexpr int kFrame = 4;  ///< cells around the square
 
-  void findCosts();
+  struct Stamp;
+  /// What must be free around a shape's deepest point.
+  struct Room {
+    short least, most;
+  };
+  struct Best {
+    Pose pose;
+    short cost = 32767;
+  };
 
+  void findCosts(std::size_t at);  ///< of eight cells
+  static ShortLanes costOf(const Stamp& stamp, const short* costs, short best);
+  void lookAt(const Stamp& stamp, double angle, const Room& room, Best& best) const;
+
+  int cells_;   ///< a side of the square
+  int stride_;  ///< whole lanes
   double side_, cell_;
   short need_;
   std::vector<short> room_;  ///< the distance, in small parts of a layout unit

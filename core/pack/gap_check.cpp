@@ -1,7 +1,12 @@
 #include "core/pack/gap_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "core/base/cross.h"
 
@@ -37,43 +42,41 @@ bool crossing(const Segment2& s, const Segment2& t) {
   return ((a > 0 && b < 0) || (a < 0 && b > 0)) && ((c > 0 && d < 0) || (c < 0 && d > 0));
 }
 
-/// All outlines in the texture at one scale, and a grid over their segments.
+/// Pairs of segments are looked for this much farther apart than the gap, texture units: they stay
+/// known until two charts have come closer by as much.
+constexpr double kSlack = 0.002;
+
+/// All outlines in the texture, and the pairs of their segments that are near each other.
 class PlacedSegments {
  public:
-  PlacedSegments(std::span<const PlacedOutline> charts, const PackGaps& gaps, double scale)
-      : charts_(charts), gap_(gaps.between), border_(gaps.border) {
+  PlacedSegments(std::span<const PlacedOutline> charts, const PackGaps& gaps)
+      : charts_(charts), gap_(gaps.between), border_(gaps.border), radius_(charts.size(), 0),
+        boxes_(charts.size()) {
     begin_.push_back(0);
     for (std::size_t k = 0; k < charts.size(); ++k) {
-      const PlacedOutline& chart = charts[k];
-      const double c = scale * std::cos(chart.pose.angle), s = scale * std::sin(chart.pose.angle);
-      const auto place = [&](const Point& p) {
-        const Point q = p - chart.center;
-        return Point(chart.pose.x + c * q.x - s * q.y, chart.pose.y + s * q.x + c * q.y);
-      };
-      for (const Segment2& segment : chart.outline->segments) {
-        segments_.push_back({place(segment[0]), place(segment[1])});
+      for (const Segment2& segment : charts[k].outline->segments) {
+        const Point d = segment[0] - charts[k].center;
+        radius_[k] = std::max(radius_[k], std::hypot(d.x, d.y));
         chartOf_.push_back(k);
       }
-      begin_.push_back(segments_.size());
+      begin_.push_back(chartOf_.size());
     }
-    makeGrid();
+    segments_.resize(chartOf_.size());
   }
 
-  /// What is missing between charts, and where.
-  void measure() {
+  /// Places the outlines where the charts are now and finds what is missing between them.
+  /// \param apart charts that overlap part as wholes, not border by border
+  void measure(double scale, bool apart) {
+    apart_ = apart;
+    place(scale);
+    if (!pairsHold(scale)) findPairs(scale);
     contacts_.clear();
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      measureBorder(i);
-      forCells(segments_[i], gap_, [&](std::size_t cell) {
-        for (std::size_t k = cellBegin_[cell]; k < cellBegin_[cell + 1]; ++k) {
-          if (chartOf_[inCell_[k]] > chartOf_[i]) measurePair(i, inCell_[k]);
-        }
-      });
+    for (const auto& [i, j] : pairs_) measurePair(i, j);
+    for (std::size_t k = 0; k < charts_.size(); ++k) {
+      if (boxes_[k].withinBorder(border_)) continue;
+      for (std::size_t i = begin_[k]; i < begin_[k + 1]; ++i) measureBorder(i);
     }
     if (contacts_.empty()) measureInside();
-    std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
-      return a.first != b.first ? a.first < b.first : a.second < b.second;
-    });
   }
 
   /// A place where two charts, or a chart and the border, are too close.
@@ -93,7 +96,7 @@ class PlacedSegments {
     std::fill(move.begin(), move.end(), Point(0));
     double most = 0;
     for (std::size_t k = 0; k < contacts_.size();) {
-      const auto [first, second, missing, push] = contacts_[k];
+      const std::size_t first = contacts_[k].first, second = contacts_[k].second;
       Point low(0), high(0);
       for (; k < contacts_.size() && contacts_[k].first == first && contacts_[k].second == second;
            ++k) {
@@ -111,9 +114,73 @@ class PlacedSegments {
   }
 
  private:
+  struct Box {
+    Point low, high;
+    bool withinBorder(double border) const {
+      return low.x >= border && low.y >= border && high.x <= 1 - border && high.y <= 1 - border;
+    }
+    bool holds(const Point& p) const {
+      return p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y;
+    }
+  };
+
+  void place(double scale) {
+    for (std::size_t k = 0; k < charts_.size(); ++k) {
+      const PlacedOutline& chart = charts_[k];
+      const double c = scale * std::cos(chart.pose.angle), s = scale * std::sin(chart.pose.angle);
+      const Point middle(chart.pose.x, chart.pose.y);
+      const auto at = [&](const Point& p) {
+        const Point q = p - chart.center;
+        return middle + Point(c * q.x - s * q.y, s * q.x + c * q.y);
+      };
+      Point low(INFINITY), high(-INFINITY);
+      for (std::size_t i = begin_[k]; i < begin_[k + 1]; ++i) {
+        const Segment2& segment = chart.outline->segments[i - begin_[k]];
+        segments_[i] = {at(segment[0]), at(segment[1])};
+        low = glm::min(low, segments_[i][0]), high = glm::max(high, segments_[i][0]);
+      }
+      boxes_[k] = {low, high};
+    }
+  }
+  bool pairsHold(double scale) const {
+    if (pairedAt_.empty()) return false;
+    for (std::size_t k = 0; k < charts_.size(); ++k) {
+      const Pose &now = charts_[k].pose, &then = pairedAt_[k];
+      const double moved = std::max(std::abs(now.x - then.x), std::abs(now.y - then.y)) +
+                           radius_[k] * std::abs(scale - pairedScale_);
+      if (moved > kSlack / 2) return false;
+    }
+    return true;
+  }
+  void findPairs(double scale) {
+    makeGrid();
+    pairs_.clear();
+    const double reach = gap_ + kSlack;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      forCells(segments_[i], reach, [&](std::size_t cell) {
+        for (std::size_t k = cellBegin_[cell]; k < cellBegin_[cell + 1]; ++k) {
+          if (chartOf_[inCell_[k]] > chartOf_[i] && near(i, inCell_[k], reach)) {
+            pairs_.emplace_back(i, inCell_[k]);
+          }
+        }
+      });
+    }
+    std::sort(pairs_.begin(), pairs_.end(), [&](const auto& a, const auto& b) {
+      const auto key = [&](const auto& p) {
+        return std::array{chartOf_[p.first], chartOf_[p.second], p.first, p.second};
+      };
+      return key(a) < key(b);
+    });
+    // A long segment and another share several cells.
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    pairedAt_.clear();
+    for (const PlacedOutline& chart : charts_) pairedAt_.push_back(chart.pose);
+    pairedScale_ = scale;
+  }
   void makeGrid() {
-    const double wanted = std::max(gap_, 1.0 / 256);
-    cells_ = std::max(1, static_cast<int>(1 / wanted));
+    // As many cells as segments.
+    const double wanted = std::sqrt(static_cast<double>(segments_.size()));
+    cells_ = static_cast<int>(std::clamp(wanted, 1.0, 1 / (gap_ + kSlack)));
     const std::size_t count = static_cast<std::size_t>(cells_) * static_cast<std::size_t>(cells_);
     cellBegin_.assign(count + 1, 0);
     for (const Segment2& segment : segments_) {
@@ -155,6 +222,14 @@ class PlacedSegments {
       }
     }
   }
+  /// Whether the boxes of two segments are less than `reach` apart along both axes.
+  bool near(std::size_t i, std::size_t j, double reach) const {
+    const Segment2 &s = segments_[i], &t = segments_[j];
+    return std::min(t[0].x, t[1].x) - std::max(s[0].x, s[1].x) < reach &&
+           std::min(s[0].x, s[1].x) - std::max(t[0].x, t[1].x) < reach &&
+           std::min(t[0].y, t[1].y) - std::max(s[0].y, s[1].y) < reach &&
+           std::min(s[0].y, s[1].y) - std::max(t[0].y, t[1].y) < reach;
+  }
   void measureBorder(std::size_t i) {
     const Point& p = segments_[i][0];
     Point push(0);
@@ -168,13 +243,8 @@ class PlacedSegments {
   }
   void measurePair(std::size_t i, std::size_t j) {
     const Segment2 &s = segments_[i], &t = segments_[j];
-    if (std::min(t[0].x, t[1].x) - std::max(s[0].x, s[1].x) >= gap_ ||
-        std::min(s[0].x, s[1].x) - std::max(t[0].x, t[1].x) >= gap_ ||
-        std::min(t[0].y, t[1].y) - std::max(s[0].y, s[1].y) >= gap_ ||
-        std::min(s[0].y, s[1].y) - std::max(t[0].y, t[1].y) >= gap_) {
-      return;
-    }
-    if (crossing(s, t)) return addOverlap(chartOf_[i], chartOf_[j]);
+    if (!near(i, j, gap_)) return;
+    if (crossing(s, t)) return addCrossing(i, j);
     Point way = wayToSegment(s[0], t);
     const auto offer = [&way](const Point& other) {
       if (largerAxis(other) < largerAxis(way)) way = other;
@@ -189,6 +259,21 @@ class PlacedSegments {
     push[axis] = way[axis] < 0 ? gap_ - length : length - gap_;
     contacts_.push_back({chartOf_[i], chartOf_[j], gap_ - length, push});
   }
+  /// Borders that cross part across the border that is less deep in the other chart.
+  void addCrossing(std::size_t i, std::size_t j) {
+    if (apart_) return addOverlap(chartOf_[i], chartOf_[j]);
+    const Point first = wayOut(segments_[i], segments_[j]);
+    const Point second = wayOut(segments_[j], segments_[i]);
+    const double a = std::hypot(first.x, first.y), b = std::hypot(second.x, second.y);
+    contacts_.push_back({chartOf_[i], chartOf_[j], std::min(a, b), a <= b ? first : -second});
+  }
+  /// How the chart of `s`, which crosses `t`, must move to leave `t` and keep the gap.
+  Point wayOut(const Segment2& s, const Segment2& t) const {
+    const Point along = t[1] - t[0];
+    const Point out = Point(along.y, -along.x) / std::hypot(along.x, along.y);
+    const double deep = std::max(glm::dot(t[0] - s[0], out), glm::dot(t[0] - s[1], out));
+    return (std::max(deep, 0.0) + gap_ * (std::abs(out.x) + std::abs(out.y))) * out;
+  }
   /// Charts that overlap part along the line of their centres.
   void addOverlap(std::size_t a, std::size_t b) {
     const Point d(charts_[a].pose.x - charts_[b].pose.x, charts_[a].pose.y - charts_[b].pose.y);
@@ -202,7 +287,7 @@ class PlacedSegments {
       if (begin_[a] == begin_[a + 1]) continue;
       const Point& p = segments_[begin_[a]][0];
       for (std::size_t b = 0; b < charts_.size(); ++b) {
-        if (a != b && winding(p, b) != 0) addOverlap(std::min(a, b), std::max(a, b));
+        if (a != b && boxes_[b].holds(p) && winding(p, b) != 0) addOverlap(std::min(a, b), std::max(a, b));
       }
     }
   }
@@ -220,8 +305,14 @@ class PlacedSegments {
 
   std::span<const PlacedOutline> charts_;
   double gap_, border_;
+  std::vector<double> radius_;  ///< of each chart about its centre, units of its plane
+  std::vector<Box> boxes_;      ///< of each chart where it is now
   std::vector<Segment2> segments_;
   std::vector<std::size_t> chartOf_, begin_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< of segments, by their charts
+  std::vector<Pose> pairedAt_;  ///< where the charts were when the pairs were found
+  double pairedScale_ = 0;
+  bool apart_ = false;
   int cells_ = 1;
   std::vector<std::size_t> cellBegin_, inCell_;
   std::vector<Contact> contacts_;
@@ -231,12 +322,12 @@ class PlacedSegments {
 
 double settle(std::span<PlacedOutline> charts, const PackGaps& gaps, double scale,
               const Progress& progress) {
-  constexpr int kSteps = 120;
+  constexpr int kSteps = 120, kUntilApart = 40;
   constexpr double kLargestMove = 0.004;
   std::vector<Point> move(charts.size());
+  PlacedSegments placed(charts, gaps);
   for (int i = 0; i < kSteps && !progress.cancelled(); ++i) {
-    PlacedSegments placed(charts, gaps, scale);
-    placed.measure();
+    placed.measure(scale, i >= kUntilApart);
     if (placed.contacts().empty()) return scale;
     const double most = placed.pushes(move);
     for (std::size_t k = 0; k < charts.size(); ++k) {

@@ -19,12 +19,25 @@ namespace {
 /// Space to keep free, as shares of the texture. A chart may touch a pixel with its very border, so
 /// that `margin` empty pixels need one more than that between two outlines. Half of it to the
 /// texture's sides leaves a full margin where the texture repeats.
-PackGaps gapsOf(const LayoutOptions& options) {
+PackGaps gapsOf(int textureSize, int margin) {
   constexpr double kInside = 1e-6;
-  if (options.margin == 0) return {kInside, kInside};
-  const double pixel = 1.0 / options.textureSize;
-  const int half = (options.margin + 1) / 2;
-  return {(options.margin + 1 + kInside) * pixel, (half + kInside) * pixel};
+  if (margin == 0) return {kInside, kInside};
+  const double pixel = 1.0 / textureSize;
+  const int half = (margin + 1) / 2;
+  return {(margin + 1 + kInside) * pixel, (half + kInside) * pixel};
+}
+
+/// Whether charts keep as much for themselves as lies between them, and a pixel at least.
+bool leavesRoom(std::size_t charts, int textureSize, int margin) {
+  const double cell = gridCell(charts, gapsOf(textureSize, margin)) * textureSize;
+  return margin == 0 || cell >= std::max(1, margin / 2);
+}
+
+/// The margin asked for or, where so many charts would have no room, the largest that leaves some.
+int marginFor(std::size_t charts, const LayoutOptions& options) {
+  int margin = options.margin;
+  while (!leavesRoom(charts, options.textureSize, margin)) --margin;
+  return margin;
 }
 
 void checkOptions(const LayoutOptions& options) {
@@ -58,6 +71,12 @@ void finish(Atlas& atlas, const ChartSet& charts, const Unwrap& unwrap) {
 
 }  // namespace
 
+int textureSizeFor(std::size_t charts, int margin) {
+  int size = 1;
+  while (!leavesRoom(charts, size, margin)) size *= 2;
+  return size;
+}
+
 std::shared_ptr<const Atlas> layoutAtlas(const ChartSet& charts, const Unwrap& unwrap,
                                          const LayoutOptions& options, Progress& progress) {
   CF_CHECK(charts.charts.size() == unwrap.charts.size());
@@ -77,14 +96,8 @@ std::shared_ptr<const Atlas> layoutAtlas(const ChartSet& charts, const Unwrap& u
   auto atlas = std::make_shared<Atlas>();
   atlas->placement.resize(charts.charts.size());
   atlas->textureSize = options.textureSize;
-  atlas->margin = options.margin;
-  const PackGaps gaps = gapsOf(options);
-  if (gridCell(outlines.size(), gaps) <= (options.margin == 0 ? 0 : 1.0 / options.textureSize)) {
-    throw Error("A margin of " + std::to_string(options.margin) + " pixels leaves no room for " +
-                std::to_string(outlines.size()) + (outlines.size() == 1 ? " chart" : " charts") +
-                " in a texture of " + std::to_string(options.textureSize) +
-                " pixels a side; lower the margin or raise the texture size.");
-  }
+  atlas->margin = marginFor(outlines.size(), options);
+  const PackGaps gaps = gapsOf(options.textureSize, atlas->margin);
   const std::vector<Placement> placement = options.kind == LayoutOptions::Kind::Square
                                                ? gridLayout(outlines, gaps, false)
                                                : packedLayout(outlines, gaps, progress);

@@ -17,12 +17,16 @@ struct LayoutOptions {
   };
   Kind kind = Kind::Packed;
   int textureSize = 1024;  ///< pixels a side
-  int margin = 8;          ///< least empty pixels between charts
+  int margin = 8;          ///< least empty pixels between charts, where these have room
 
   bool operator==(const LayoutOptions&) const = default;
 };
 
-/// Charts without uv are left out. Charts are never mirrored. Same input, same bytes, for any
+/// The least power of two that is a texture's size in which so many charts keep the margin.
+int textureSizeFor(std::size_t charts, int margin);
+
+/// Charts without uv are left out. Where so many charts would have no room beside the margin, the
+/// atlas has a smaller one. Charts are never mirrored. Same input, same bytes, for any
 /// number of threads. \return null when cancelled
 std::shared_ptr<const Atlas> layoutAtlas(const ChartSet& charts, const Unwrap& unwrap,
                                          const LayoutOptions& options, Progress& progress);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "core/base/parallel.h"
@@ -13,19 +14,26 @@ namespace chartflood {
 
 namespace {
 
-/// Share of the square that the charts should cover when they are placed one by one: more than
-/// they can, so that squeezing starts from charts that overlap a little.
-constexpr double kFirstFill = 0.78;
+/// Shares of the square that the charts and the gaps around them should cover when they are placed
+/// one by one, start after start: more than they can, so that squeezing begins with charts that
+/// overlap a little.
+constexpr double kFirstFills[] = {0.84, 0.87, 0.82, 0.855};
 /// Where charts stay hooked into each other, the next try leaves more room, down to this share.
 constexpr double kLeastFill = 0.08;
-/// How deep charts lie in each other that are hooked, in 1024ths of the square's side, and how much
+/// How deep charts lie in each other that are hooked, in grains, and how much
 /// smaller they must become at the end to come apart.
 constexpr double kHookedDepth = 2, kHookedCost = 1.5;
-/// Turns tried for every chart that is placed; fewer where there are many charts.
-constexpr int kTurns = 20;
+/// Turns tried for every chart that is placed; fewer where there are many charts, and always in
+/// eights, so that boxes lie upright or along the diagonal.
+constexpr int kTurns = 24;
+/// Sides of the cells in which places are looked for, layout units.
+constexpr double kCell = 0.0155, kCoarseCell = 0.025;
+/// Share of the square's side from which a shape counts as large.
+constexpr double kLarge = 0.8;
+constexpr int kRepairs = 3;
 constexpr int kStartSteps = 60, kRoundSteps = 40;
 constexpr std::uint32_t kSeed = 1;
-/// Depths, in 1024ths of the square's side, that the walls press charts into each other, softest
+/// Depths, in grains, that the walls press charts into each other, softest
 /// last.
 constexpr double kStartDepths[] = {4, 0.5, 0.0625};
 constexpr double kRoundDepths[] = {2, 0.25, 0.03125};
@@ -46,8 +54,9 @@ Plan planFor(std::span<const PackShape> shapes) {
   // A square of twenty usual charts has about 2500 points.
   const double less = std::min(1.0, 2500 / points);
   const auto rounds = [&](double most) { return 2 + static_cast<int>(most * less); };
-  const std::size_t starts = shapes.size() > 250 ? 2 : shapes.size() > 60 ? 4 : 8;
-  return {starts, {{4, rounds(60)}, {2, rounds(160)}}};
+  // Among many charts a few that lie better change little.
+  if (shapes.size() > kManyCharts) return {2, {}};
+  return {shapes.size() > 60 ? 4u : 8u, {{4, rounds(8)}, {2, rounds(26)}}};
 }
 
 double unit(Rng& rng) { return (rng.below(1u << 24) + 0.5) / (1u << 24); }
@@ -73,23 +82,40 @@ class Search {
  public:
   Search(std::span<const PackShape> shapes, const PackGaps& gaps, const Progress& progress)
       : shapes_(shapes), gaps_(gaps), progress_(progress),
-        turns_(std::clamp(static_cast<int>(60 * kTurns / shapes.size()), 4, kTurns)) {}
+        turns_(std::clamp(static_cast<int>(60 * kTurns / shapes.size()) / 8 * 8, 8, kTurns)),
+        cell_(shapes.size() <= 60 ? kCell : kCoarseCell) {}
 
-  Squeezed start(Rng& rng) const {
+  Squeezed start(double firstFill, Rng& rng) const {
     std::vector<Index> all(shapes_.size());
     for (Index i = 0; i < all.size(); ++i) all[i] = i;
     Squeezer squeezer(shapes_, gaps_);
     Squeezed best{{}, INFINITY, {}};
-    for (double fill = kFirstFill; fill > kLeastFill && !progress_.cancelled(); fill *= 0.7) {
-      const double side = std::sqrt(1 / fill);
+    for (double fill = firstFill; fill > kLeastFill && !progress_.cancelled(); fill *= 0.7) {
+      const double side = sideFor(fill);
       Squeezed next{{side, std::vector<Pose>(shapes_.size())}, 0, {}};
       FreeSpace space = emptySpace(side);
       place(next.layout, space, largeFirst(all, 0.3, rng), rng);
       squeeze(next, squeezer, kStartDepths, kStartSteps, nullptr);
+      for (int i = 0; i < kRepairs && hooked(next.layout, squeezer); ++i) unhook(next, squeezer, rng);
       if (denser(next, best)) best = std::move(next);
-      if (!hooked(best.layout, squeezer)) break;
+      // Among many the few that still hook are parted at the end.
+      if (!hooked(best.layout, squeezer) || shapes_.size() > kManyCharts) break;
     }
     return best;
+  }
+
+  /// Takes out what lies too deep in others and looks for other places for it.
+  void unhook(Squeezed& next, Squeezer& squeezer, Rng& rng) const {
+    const double most = kHookedDepth * grainOf(next.layout.side, shapes_.size());
+    FreeSpace space = emptySpace(next.layout.side);
+    std::vector<Index> taken;
+    for (Index i = 0; i < shapes_.size(); ++i) {
+      if (squeezer.depths()[i] > most) taken.push_back(i);
+      else space.add(space.footprint(shapes_[i], next.layout.poses[i]));
+    }
+    place(next.layout, space, largeFirst(taken, 0, rng), rng);
+    next.sides.clear();
+    squeeze(next, squeezer, kRoundDepths, kRoundSteps, nullptr);
   }
 
   /// A layout on its way to a denser one.
@@ -144,8 +170,20 @@ class Search {
   };
 
  private:
+  /// The side of a square of which shapes and the halves of gaps around them are that share, and
+  /// which holds each of them.
+  double sideFor(double fill) const {
+    double area = 0, around = 0;
+    for (const PackShape& shape : shapes_) area += shape.area, around += shape.around;
+    const double gaps = around * gaps_.between / 2;
+    const double byArea = (gaps + std::sqrt(gaps * gaps + 4 * fill * area)) / (2 * fill);
+    double largest = 0;
+    for (const PackShape& shape : shapes_) largest = std::max(largest, shape.square);
+    return std::max(byArea, largest / (1 - 2 * gaps_.border));
+  }
+
   FreeSpace emptySpace(double side) const {
-    return {side, gaps_.between * side, gaps_.border * side};
+    return {side, gaps_.between * side, gaps_.border * side, cell_};
   }
 
   /// Large shapes first, in an order that differs from time to time.
@@ -166,7 +204,13 @@ class Search {
              Rng& rng) const {
     for (const Index i : order) {
       if (progress_.cancelled()) return;
-      layout.poses[i] = space.bestPose(shapes_[i], 2 * std::numbers::pi * unit(rng), turns_);
+      const double any = 2 * std::numbers::pi * unit(rng);
+      // What hardly fits does so at one turn.
+      const bool large = shapes_[i].square > kLarge * layout.side;
+      const double first = large             ? shapes_[i].inSquare
+                           : shapes_[i].boxy ? shapes_[i].upright
+                                             : any;
+      layout.poses[i] = space.bestPose(shapes_[i], first, turns_);
       space.add(space.footprint(shapes_[i], layout.poses[i]));
     }
   }
@@ -191,7 +235,7 @@ class Search {
 
   /// Whether thin shapes lie across each other, which no pressing takes apart.
   static bool hooked(const PackLayout& layout, const Squeezer& squeezer) {
-    return squeezer.depth() > kHookedDepth / 1024 * layout.side;
+    return squeezer.depth() > kHookedDepth * grainOf(layout.side, layout.poses.size());
   }
 
   /// False, and given up early, when it falls behind `best`.
@@ -200,8 +244,7 @@ class Search {
     // Shapes must shrink by about the depth over their radius to come apart.
     constexpr double kRadius = 0.2;
     for (const double depth : depths) {
-      // The force that presses shapes in so deep.
-      const double pressure = 4 * depth / 1024 * next.layout.side;
+      const double pressure = pressureFor(depth, next.layout.side);
       squeezer.rest();
       const bool soft = depth == depths.front();
       int done = 0;
@@ -227,6 +270,7 @@ class Search {
   PackGaps gaps_;
   const Progress& progress_;
   int turns_;
+  double cell_;  ///< of the free space, layout units
 };
 
 }  // namespace
@@ -248,7 +292,7 @@ std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const P
   parallelFor(chains.size(), [&](std::size_t k) {
     if (progress.cancelled()) return;
     Rng rng(kSeed + static_cast<std::uint32_t>(k));
-    chains[k] = search.start(rng);
+    chains[k] = search.start(kFirstFills[k % std::size(kFirstFills)], rng);
     advance(3);
   });
   std::uint32_t seed = kSeed + 1000;

@@ -11,6 +11,9 @@
 
 namespace chartflood {
 
+/// Among more charts than these a few that lie better change little.
+constexpr std::size_t kManyCharts = 250;
+
 /// Layouts found, the densest first; their shapes may still be pressed into each other by a small
 /// part of the points' spacing. A fixed amount of work that grows little with the number of
 /// shapes, shared out over the threads by independent layouts. Fills the progress up to

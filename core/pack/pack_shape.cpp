@@ -113,10 +113,8 @@ class NearestSegment {
 
   void run() {
     seed();
-    for (int round = 0; round < 2; ++round) {
-      for (int j = 0; j < field_.ny; ++j) sweepRow(j, -1);
-      for (int j = field_.ny - 1; j >= 0; --j) sweepRow(j, 1);
-    }
+    for (int j = 0; j < field_.ny; ++j) sweepRow(j, -1);
+    for (int j = field_.ny - 1; j >= 0; --j) sweepRow(j, 1);
     for (std::size_t i = 0; i < square_.size(); ++i) {
       field_.value[i] = static_cast<float>(std::sqrt(square_[i]));
     }
@@ -222,6 +220,17 @@ PackShape makeShape(const ChartOutline& outline, double scale, const ShapeDetail
   PackShape shape;
   shape.center = circleCenter(outline.hull);
   shape.area = static_cast<float>(outline.area * scale * scale);
+  constexpr double kBoxy = 0.9;
+  const EnclosingBox box = smallestBox(outline.hull);
+  shape.boxy = outline.area > kBoxy * box.size.x * box.size.y;
+  shape.upright = box.angle;
+  const EnclosingSquare square = smallestSquare(outline.hull);
+  shape.square = square.side * scale;
+  shape.inSquare = square.angle;
+  for (std::size_t i = 0; i < outline.hull.size(); ++i) {
+    const glm::dvec2& next = outline.hull[(i + 1) % outline.hull.size()];
+    shape.around += static_cast<float>(glm::distance(outline.hull[i], next) * scale);
+  }
   const std::vector<Polyline> loops = loopsOf(outline, shape.center, scale);
   double length = 0;
   std::vector<Segment2> segments;
@@ -252,8 +261,8 @@ PackShape makeShape(const ChartOutline& outline, double scale, const ShapeDetail
   field.x0 = static_cast<float>(low.x - pad), field.y0 = static_cast<float>(low.y - pad);
   // Diagonal needles have large boxes.
   constexpr double kMostNodes = 1 << 18;
-  const double box = (high.x - low.x + 2 * pad) * (high.y - low.y + 2 * pad);
-  field.cell = std::max(field.cell, static_cast<float>(std::sqrt(box / kMostNodes)));
+  const double boxArea = (high.x - low.x + 2 * pad) * (high.y - low.y + 2 * pad);
+  field.cell = std::max(field.cell, static_cast<float>(std::sqrt(boxArea / kMostNodes)));
   field.nx = 2 + static_cast<int>((high.x - low.x + 2 * pad) / field.cell);
   field.ny = 2 + static_cast<int>((high.y - low.y + 2 * pad) / field.cell);
   fillField(field, segments);

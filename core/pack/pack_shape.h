@@ -1,6 +1,6 @@
 #pragma once
 /// A chart's outline made ready for packing: points along it, and its distance field. Everything is
-/// in *layout units*, in which all charts together have the area 1, about the shape's own centre.
+/// in *layout units*, see layoutArea, about the shape's own centre.
 
 #include <vector>
 
@@ -48,8 +48,13 @@ struct PackShape {
   float radius = 0;     ///< of a circle about the centre around all points
   float perimeter = 0;  ///< sum of the points' lengths
   float area = 0;
+  float around = 0;  ///< length of the convex hull's border
   Point deepest{0, 0, 0};  ///< farthest from the outline; its `length` is that distance
   glm::dvec2 center{0};    ///< in the chart's plane
+  bool boxy = false;       ///< fills most of its smallest box
+  double upright = 0;      ///< turn that makes that box upright
+  double square = 0;       ///< side of the smallest square around it
+  double inSquare = 0;     ///< turn that makes that square upright
 };
 
 /// \param scale layout units per unit of the chart's plane

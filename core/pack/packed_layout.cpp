@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -15,6 +17,9 @@
 namespace chartflood {
 
 namespace {
+
+/// Share of the largest scale that a layout of upright charts may have and still be taken.
+constexpr double kUprightWorth = 0.997;
 
 /// Sizes that do not change with the charts' own units.
 struct Sizes {
@@ -35,14 +40,15 @@ Sizes measure(std::span<const ChartOutline> outlines) {
     }
   }
   if (area <= 0) return {};
-  const double scale = 1 / std::sqrt(area);
-  return {scale, std::max(1.15, 0.8 * scale * size), scale * length};
+  const double root = std::sqrt(layoutArea(outlines.size()));
+  const double scale = root / std::sqrt(area);
+  return {scale, std::max(1.15 * root, 0.8 * scale * size), scale * length};
 }
 
-/// Shapes with points every so many 1024ths of the square, and at most `mostPoints` in all.
+/// Shapes with points every so many grains and at most `mostPoints` in all.
 std::vector<PackShape> makeShapes(std::span<const ChartOutline> outlines, const Sizes& sizes,
                                   double spacing, double cell, double mostPoints, double reach) {
-  const double unit = sizes.side / 1024;
+  const double unit = grainOf(sizes.side, outlines.size());
   const ShapeDetail detail{static_cast<float>(std::max(spacing * unit, sizes.length / mostPoints)),
                            static_cast<float>(cell * unit), static_cast<float>(reach)};
   std::vector<PackShape> shapes(outlines.size());
@@ -57,6 +63,34 @@ struct Fitted {
   std::vector<PlacedOutline> charts;
 };
 
+/// Charts that are hooked into each other may need much more room.
+void settleSomehow(Fitted& fitted, double scale, const PackGaps& gaps, const Progress& progress) {
+  const std::vector<PlacedOutline> before = fitted.charts;
+  for (const double room : {1.002, 0.97, 0.9, 0.75, 0.5}) {
+    fitted.scale = settle(fitted.charts, gaps, room * scale, progress);
+    if (fitted.scale > 0 || progress.cancelled()) return;
+    fitted.charts = before;
+  }
+}
+
+/// Boxes that lie nearly upright are turned to lie so exactly, unless that costs much.
+void makeUpright(Fitted& fitted, std::span<const PackShape> shapes, const PackGaps& gaps,
+                 const Progress& progress) {
+  constexpr double kQuarter = std::numbers::pi / 2, kNearly = 0.1;
+  Fitted upright = fitted;
+  bool turned = false;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    double& angle = upright.charts[i].pose.angle;
+    const double off = std::remainder(angle - shapes[i].upright, kQuarter);
+    if (!shapes[i].boxy || std::abs(off) > kNearly) continue;
+    angle -= off;
+    turned = true;
+  }
+  if (!turned) return;
+  upright.scale = settle(upright.charts, gaps, fitted.scale, progress);
+  if (upright.scale >= kUprightWorth * fitted.scale) fitted = std::move(upright);
+}
+
 Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> shapes,
            double layoutScale, PackLayout layout, const PackGaps& gaps, const Progress& progress) {
   // Pressed with a gap even where none is asked for, see below.
@@ -65,7 +99,7 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
   constexpr double kSkin = 0.003;
   for (const double depth : {0.5, 0.1, 0.02, 0.004}) {
     squeezer.rest();
-    squeezer.run(layout, {4 * depth / 1024 * layout.side, 80, kSkin}, progress);
+    squeezer.run(layout, {pressureFor(depth, layout.side), 80, kSkin}, progress);
   }
   Fitted fitted;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
@@ -74,20 +108,15 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
                              shapes[i].center,
                              {pose.x / layout.side + 0.5, pose.y / layout.side + 0.5, pose.angle}});
   }
-  // Charts that are hooked into each other may need much more room.
-  const std::vector<PlacedOutline> before = fitted.charts;
-  for (const double room : {1.002, 0.97, 0.9, 0.75, 0.5}) {
-    fitted.scale = settle(fitted.charts, gaps, room * layoutScale / layout.side, progress);
-    if (fitted.scale > 0 || progress.cancelled()) break;
-    fitted.charts = before;
-  }
+  settleSomehow(fitted, layoutScale / layout.side, gaps, progress);
+  makeUpright(fitted, shapes, gaps, progress);
   return fitted;
 }
 
-/// A search among so many charts takes too long, and one among needles finds nothing: they have
-/// next to no area, however they lie.
+/// A search among needles finds nothing: they have next to no area, however they lie; and one
+/// among very many charts takes too long.
 bool worthSearching(std::span<const ChartOutline> outlines) {
-  constexpr std::size_t kMostCharts = 250;
+  constexpr std::size_t kMostCharts = 1500;
   constexpr double kLeastShare = 0.02;  // of the charts' squares
   double area = 0, squares = 0;
   for (const ChartOutline& outline : outlines) {
@@ -95,19 +124,11 @@ bool worthSearching(std::span<const ChartOutline> outlines) {
     area += outline.area;
     squares += side * side;
   }
-  return outlines.size() <= kMostCharts && area > kLeastShare * squares;
+  return outlines.size() > 1 && outlines.size() <= kMostCharts && area > kLeastShare * squares;
 }
 
-}  // namespace
-
-std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
-                                    Progress& progress) {
-  std::vector<Placement> grid = gridLayout(outlines, gaps, true);
-  if (outlines.size() < 2) return grid;
-  if (!worthSearching(outlines)) {
-    std::vector<Placement> shelves = shelfLayout(outlines, gaps, grid.front().scale);
-    return shelves.empty() ? grid : shelves;
-  }
+Fitted searchedLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
+                      Progress& progress) {
   Sizes sizes = measure(outlines);
   // A field does not see two fine teeth that cross: without a gap they would hook into each other.
   const PackGaps soft{std::max(gaps.between, 0.001), gaps.border};
@@ -119,13 +140,30 @@ std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, cons
   sizes.side = layouts.front().side;
   const std::vector<PackShape> fine =
       makeShapes(outlines, sizes, 1.5, 3, 16000, 1.5 * gaps.between * sizes.side + 0.004);
-  std::vector<Fitted> fitted(std::min<std::size_t>(layouts.size(), 2));
+  const std::size_t most = outlines.size() > kManyCharts ? 1 : 2;
+  std::vector<Fitted> fitted(std::min(layouts.size(), most));
   parallelFor(fitted.size(), [&](std::size_t k) {
     fitted[k] = fit(outlines, fine, sizes.scale, layouts[k], gaps, progress);
   });
+  return std::move(fitted.back().scale > fitted.front().scale ? fitted.back() : fitted.front());
+}
+
+}  // namespace
+
+std::vector<Placement> firstLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps) {
+  std::vector<Placement> grid = gridLayout(outlines, gaps, true);
+  if (outlines.size() < 2) return grid;
+  std::vector<Placement> shelves = shelfLayout(outlines, gaps, grid.front().scale);
+  return shelves.empty() ? grid : shelves;
+}
+
+std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
+                                    Progress& progress) {
+  std::vector<Placement> first = firstLayout(outlines, gaps);
+  if (!worthSearching(outlines)) return first;
+  const Fitted best = searchedLayout(outlines, gaps, progress);
   if (progress.cancelled()) return {};
-  const Fitted& best = fitted.back().scale > fitted.front().scale ? fitted.back() : fitted.front();
-  if (best.scale <= grid.front().scale) return grid;
+  if (kUprightWorth * best.scale <= first.front().scale) return first;
   std::vector<Placement> packed;
   for (const PlacedOutline& chart : best.charts) {
     Placement place{chart.pose.angle, best.scale, {0, 0}};

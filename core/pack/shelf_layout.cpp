@@ -2,49 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <numeric>
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 namespace chartflood {
 
 namespace {
 
-/// A chart turned upright.
-struct TurnedBox {
-  double angle = 0;
-  glm::dvec2 low{0}, size{0};  ///< of the turned points' bounding box
-};
-
-TurnedBox boxAt(const std::vector<glm::dvec2>& hull, double angle) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  const double c = std::cos(angle), s = std::sin(angle);
-  glm::dvec2 low(inf), high(-inf);
-  for (const glm::dvec2& p : hull) {
-    const glm::dvec2 q(c * p.x - s * p.y, s * p.x + c * p.y);
-    low = glm::min(low, q);
-    high = glm::max(high, q);
-  }
-  return {angle, low, high - low};
-}
-
-/// The box of the least area has a side along the hull.
-TurnedBox smallestBox(const std::vector<glm::dvec2>& hull) {
-  TurnedBox best = boxAt(hull, 0);
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const glm::dvec2 along = hull[(i + 1) % hull.size()] - hull[i];
-    if (along == glm::dvec2(0)) continue;
-    const TurnedBox box = boxAt(hull, -std::atan2(along.y, along.x));
-    if (box.size.x * box.size.y < best.size.x * best.size.y) best = box;
-  }
-  return best.size.x >= best.size.y ? best : boxAt(hull, best.angle + std::numbers::pi / 2);
-}
-
 /// Lower left corners of the boxes at this scale, in the order given; false when they do not fit.
-bool putOnShelves(std::span<const TurnedBox> boxes, std::span<const std::size_t> order,
+bool putOnShelves(std::span<const EnclosingBox> boxes, std::span<const std::size_t> order,
                   double scale, const PackGaps& gaps, std::vector<glm::dvec2>& corners) {
   const double end = 1 - gaps.border;
   double x = gaps.border, top = end, height = 0;
@@ -67,7 +32,7 @@ bool putOnShelves(std::span<const TurnedBox> boxes, std::span<const std::size_t>
 
 std::vector<Placement> shelfLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
                                    double leastScale) {
-  std::vector<TurnedBox> boxes;
+  std::vector<EnclosingBox> boxes;
   double longest = 0;
   for (const ChartOutline& outline : outlines) {
     boxes.push_back(smallestBox(outline.hull));

@@ -19,6 +19,9 @@ struct SqueezeOptions {
   double skin = 0.008;  ///< layout units, see Contacts
 };
 
+/// The pressure that presses shapes about so many grains deep into each other.
+inline double pressureFor(double depth, double side) { return 4 * depth / 1024 * side; }
+
 /// Minimises the energy of the contacts and the walls with the fast inertial relaxation engine
 /// (Bitzek et al. 2006): places, turns and the square's side together. A point of an outline that
 /// is too deep in another shape's field pushes with a force that grows with the depth.
@@ -36,12 +39,14 @@ class Squeezer {
   double energy() const { return contacts_.energy(); }
   /// How deep any point lay in another shape or a wall in the last step, gaps counted.
   double depth() const { return contacts_.depth(); }
+  std::span<const float> depths() const { return contacts_.depths(); }  ///< of each shape
 
  private:
   void step(PackLayout& layout, const SqueezeOptions& options);
 
   std::span<const PackShape> shapes_;
   Contacts contacts_;
+  double sideInCharts_;  ///< over that of twenty
   std::vector<double> inverseRoot_;  ///< of the mass: three a shape, then the side's
   std::vector<double> force_, velocity_;
   double dt_ = 0, mixing_ = 0;

@@ -110,6 +110,7 @@ class Pipeline {
   /// Forgets the flat stages that do not belong to the present labels and parameters.
   void dropStaleFlat();
   void tellNotFlat() const;
+  void tellMargin() const;
   void takeMesh(std::shared_ptr<const Mesh> mesh);
   /// Builds the mesh anew from the same file with the present parameters.
   void glueAnew(Progress& progress);

@@ -84,6 +84,7 @@ bool Pipeline::unwrap(Progress& progress) {
     timed(timing_.pack,
           [&] { flat_.atlas = layoutAtlas(*flat_.charts, *flat_.unwrap, options, progress); });
     if (!flat_.atlas) return false;
+    tellMargin();
   }
   const bool cutAnew = shownFlat_.charts != flat_.charts;
   shownFlat_ = flat_;

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "core/pack/layout_atlas.h"
 #include "core/segment/fast_flooding.h"
 #include "core/segment/seeds.h"
 #include "core/session/pipeline.h"
@@ -36,6 +37,21 @@ void Pipeline::tellChartCount() {
          std::to_string(mesh_->componentCount()) +
              " separate parts: each gets at least one chart, so K was raised to " + number + ".");
   }
+}
+
+void Pipeline::tellMargin() const {
+  const Parameters& p = document_.parameters;
+  const Atlas& atlas = *flat_.atlas;
+  if (atlas.margin >= p.margin) return;
+  const auto placed = [](const Placement& placement) { return placement.placed(); };
+  const auto charts = static_cast<std::size_t>(
+      std::count_if(atlas.placement.begin(), atlas.placement.end(), placed));
+  tell(Notice::Kind::Warning,
+       "A margin of " + std::to_string(p.margin) + " pixels leaves no room for " +
+           std::to_string(charts) + " charts in a texture of " + std::to_string(p.textureSize) +
+           " pixels a side: they keep " + std::to_string(atlas.margin) +
+           "; a texture of " + std::to_string(textureSizeFor(charts, p.margin)) +
+           " pixels keeps them all.");
 }
 
 void Pipeline::tellTooSmall() {

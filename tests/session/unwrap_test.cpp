@@ -43,6 +43,28 @@ INSTANTIATE_TEST_SUITE_P(Workers, UnwrapWith,
                            return instance.param == Session::Worker::Inline ? "Inline" : "Threaded";
                          });
 
+TEST_P(UnwrapWith, SaysWhereAMarginLeavesNoRoom) {
+  session_.setAutoUnwrap(true);
+  segment("torus", 2000, 5);
+  results();
+  session_.takeNotices();
+  const auto flat = set([](Document& d) {
+    d.parameters.textureSize = 256;
+    d.parameters.margin = 200;
+  });
+  ASSERT_TRUE(flat->atlas);
+  EXPECT_LT(flat->atlas->margin, 200);
+  const std::string kept = std::to_string(flat->atlas->margin);
+  std::vector<std::string> warnings;
+  for (const Notice& notice : session_.takeNotices()) {
+    if (notice.kind == Notice::Kind::Warning) warnings.push_back(notice.text);
+  }
+  EXPECT_EQ(warnings, std::vector<std::string>{
+                          "A margin of 200 pixels leaves no room for 5 charts in a texture of 256 "
+                          "pixels a side: they keep " + kept +
+                          "; a texture of 1024 pixels keeps them all."});
+}
+
 TEST_P(UnwrapWith, LaysChartsFlatWhenAsked) {
   segment("torus", 2000, 5);
   EXPECT_FALSE(results()->flat);
