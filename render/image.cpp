@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/interruption.h"
 #include "core/base/parallel.h"
 
 namespace chartflood {
@@ -101,7 +102,10 @@ std::vector<std::uint8_t> encodePng(const Image& image, const ImageTexts& texts)
     setTexts(writer, texts);
     png_write_info(writer.png, writer.info);
     if (opaque) png_set_filler(writer.png, 0, PNG_FILLER_AFTER);
-    for (int y = 0; y < image.height(); ++y) png_write_row(writer.png, image.at(0, y).data());
+    for (int y = 0; y < image.height(); ++y) {
+      throwIfInterrupted();
+      png_write_row(writer.png, image.at(0, y).data());
+    }
     png_write_end(writer.png, writer.info);
   } catch (const PngFailure& failure) {
     throw Error("The picture could not be encoded as PNG: " + failure.message + ".");

@@ -44,7 +44,7 @@ class Image {
 /// Key and value that a PNG file carries beside the pixels (Latin-1 keys, UTF-8 values).
 using ImageTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// The bytes of a PNG file; equal pictures and texts give equal bytes.
+/// The bytes of a PNG file; equal pictures and texts give equal bytes. \throws Interrupted
 std::vector<std::uint8_t> encodePng(const Image& image, const ImageTexts& texts = {});
 /// Reads what encodePng (or any other program) wrote; texts go to `texts` when given.
 /// \throws ReadError naming `file`.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/interruption.h"
 
 namespace chartflood {
 
@@ -78,6 +79,7 @@ Image renderParts(const RenderSettings& settings, const PictureSize& size, Draw&
   gl::Framebuffer target;
   for (int top = 0; top < size.height; top += mostHeight) {
     for (int left = 0; left < size.width; left += mostWidth) {
+      throwIfInterrupted();
       const int width = std::min(mostWidth, size.width - left);
       const int height = std::min(mostHeight, size.height - top);
       const PicturePart part{size.width * factor, size.height * factor,

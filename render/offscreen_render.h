@@ -21,7 +21,7 @@ struct PictureSize {
 };
 
 /// Draws one picture; line widths and letters keep their size in its pixels for any supersampling.
-/// \throws UsageError when the size or the supersampling cannot be.
+/// \throws UsageError when the size or the supersampling cannot be, Interrupted; so do those below
 Image renderImage(Renderer& renderer, const Camera& camera, const RenderSettings& settings,
                   const PictureSize& size);
 

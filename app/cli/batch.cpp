@@ -112,7 +112,7 @@ void writeOutputs(const Session& session, const Invocation& call) {
   }
   if (!call.report.empty() && call.report != "-") files.emplace_back(call.report, report(session));
   throwIfInterrupted();
-  for (StagedFile& file : files) file.commit();
+  commitAll(files);
   if (call.report == "-") printOutput(report(session));
 }
 
@@ -141,7 +141,14 @@ std::size_t peakMemoryBytes() {
 }
 
 void checkTargets(const Invocation& call) {
-  for (const std::filesystem::path& file : outputFiles(call)) StagedFile(file, "");
+  for (const std::filesystem::path& file : outputFiles(call)) {
+    const bool input = isSameFile(file, call.file) || isSameFile(file, call.hints);
+    if (input && !call.overwrite) {
+      throw UsageError(file.string() + " is what the results are made from, and not all of it is "
+                                       "in them: give another name, or --overwrite.");
+    }
+    StagedFile(file, "");
+  }
 }
 
 void printOutput(std::string_view text) {
@@ -152,7 +159,7 @@ void printOutput(std::string_view text) {
 }
 
 void runBatch(const Invocation& call) {
-  catchInterruptions();
+  catchInterruptions(removeStagedFiles);
   returnLargeBlocks();
   checkTargets(call);
   Session session(Session::Worker::Threaded);
@@ -164,7 +171,7 @@ void runBatch(const Invocation& call) {
 }
 
 void runInfo(const Invocation& call) {
-  catchInterruptions();
+  catchInterruptions(removeStagedFiles);
   Session session(Session::Worker::Threaded);
   openInput(session, call);
   printOutput(infoText(*session.results()));

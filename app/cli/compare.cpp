@@ -121,7 +121,7 @@ std::string comparisonReport(const std::vector<MethodRun>& runs) {
 }  // namespace
 
 void runComparison(const Invocation& call) {
-  catchInterruptions();
+  catchInterruptions(removeStagedFiles);
   checkTargets(call);
   if (!call.output.empty()) checkGrid(call);
   Session session(Session::Worker::Threaded);
@@ -145,7 +145,7 @@ void runComparison(const Invocation& call) {
   const std::string report = comparisonReport(runs);
   if (!call.report.empty() && call.report != "-") files.emplace_back(call.report, report);
   throwIfInterrupted();
-  for (StagedFile& file : files) file.commit();
+  commitAll(files);
   printOutput(call.report == "-" ? report : comparisonText(rows));
 }
 

@@ -67,6 +67,9 @@ void addFiles(std::vector<OptionInfo>& table) {
                    "Borders between charts and cuts, as lines on the file's vertices."});
   table.push_back({"save-session", "F.chartflood", group,
                    "The work as it is, to go on with: give the file instead of a mesh."});
+  table.push_back({"overwrite", "", group,
+                   "Results may replace the very file that they are made from, with all that they "
+                   "do not carry. Default: off."});
   table.push_back({"compare", "METHOD,METHOD,..", group,
                    "Several methods with the same number of charts, the same cuts and unwrap: a "
                    "table on standard output, --output side by side (with several modes in "

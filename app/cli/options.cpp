@@ -138,6 +138,7 @@ void readFiles(const Tokens& tokens, Invocation& call) {
   call.exportUv = readFileName(tokens, "export-uv", {".png", ".svg"});
   call.exportSeams = readFileName(tokens, "export-seams", {".obj"});
   call.saveSession = readFileName(tokens, "save-session", {kSessionEnding});
+  if (tokens.has("overwrite")) call.overwrite = readSwitch("overwrite", tokens.text("overwrite"));
   call.report = tokens.text("report");
   if (call.report != "-") readFileName(tokens, "report", {".json"});
 }

@@ -79,6 +79,7 @@ struct Invocation {
   std::filesystem::path saveSession;   ///< "": none
   std::vector<std::string> compare;    ///< methods to run side by side; empty: the one asked for
   std::vector<ColorMode> compareRows;  ///< of their pictures, one row each; empty: a single one
+  bool overwrite = false;              ///< results may replace the file that they are made from
   std::string report;                  ///< file name, "-" for standard output, "": none
   PictureOptions picture;
 

@@ -7,6 +7,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/cli/camera_options.h"
+#include "app/host/film_frame.h"
 #include "app/host/problem_marks.h"
 #include "app/host/problems.h"
 #include "core/gauss/sector_normals.h"
@@ -173,8 +174,8 @@ void drawFrames(const Results& results, const PictureOptions& options, const std
     RenderSettings settings = options.settings;
     if (turns) {
       camera.orbit(2 * glm::pi<double>() * static_cast<double>(i) / static_cast<double>(count), 0);
-    } else if (i + 1 < count) {  // the last one shows the charts with their tidied borders
-      settings.playhead = results.record->size() * i / (count - 1);
+    } else {
+      settings.playhead = filmPlayhead(results.record->size(), i, count);
     }
     take(i, drawView(renderer, *results.mesh, options, settings, camera));
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <new>
 
 #include "app/cli/batch.h"
 #include "app/cli/compare.h"
@@ -11,6 +10,7 @@
 #include "app/cli/info.h"
 #include "app/cli/run_session.h"
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/log.h"
 #include "core/base/parallel.h"
 
@@ -84,10 +84,8 @@ int runProgram(std::span<const std::string> words, const WindowRunner& openWindo
     return fail(kWrongUsage, error.what());
   } catch (const Interrupted& error) {
     return fail(kInterrupted, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(kFailed, "There is not enough memory for this mesh.");
   } catch (const std::exception& error) {
-    return fail(kFailed, error.what());
+    return fail(kFailed, failureSentence(error).c_str());
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <string>
 #include <thread>
@@ -17,10 +16,6 @@
 namespace chartflood {
 
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-void remember(int) { interrupted = 1; }
 
 /// One line on standard error that is written over; nothing unless that is a terminal.
 class ProgressLine {
@@ -60,7 +55,7 @@ void waitForSession(Session& session, const Invocation& call) {
   {
     ProgressLine line(call.verbose < LogLevel::Quiet);
     for (WorkStatus status = session.status(); status.busy; status = session.status()) {
-      if (interrupted != 0) session.stop();
+      if (interrupted()) session.stop();
       line.show(status);
       std::this_thread::sleep_for(std::chrono::milliseconds(status.seconds < 0.1 ? 1 : 20));
     }
@@ -179,15 +174,6 @@ std::string needsFlatCharts(const Invocation& call) {
 }
 
 }  // namespace
-
-void catchInterruptions() {
-  std::signal(SIGINT, remember);
-  std::signal(SIGTERM, remember);
-}
-
-void throwIfInterrupted() {
-  if (interrupted != 0) throw Interrupted();
-}
 
 void openInput(Session& session, const Invocation& call) {
   Document document;

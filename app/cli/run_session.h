@@ -6,21 +6,10 @@
 #include <vector>
 
 #include "app/cli/options.h"
-#include "core/base/error.h"
+#include "core/base/interruption.h"
 #include "core/session/session.h"
 
 namespace chartflood {
-
-/// The user pressed Ctrl+C (or the program was asked to end).
-class Interrupted : public Error {
- public:
-  Interrupted() : Error("Interrupted: nothing was written.") {}
-};
-
-/// From now on an interruption is remembered instead of ending the program at once.
-void catchInterruptions();
-/// \throws Interrupted when one came since
-void throwIfInterrupted();
 
 /// Waits until the session rests; shows how far it is on a terminal.
 /// \throws Error for what failed, Interrupted

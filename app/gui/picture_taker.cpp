@@ -10,8 +10,10 @@
 
 #include "app/gui/picture_pieces.h"
 #include "app/host/file_name_template.h"
+#include "app/host/film_frame.h"
 #include "app/host/standard_paths.h"
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "render/image.h"
 #include "render/offscreen_render.h"
 
@@ -125,12 +127,9 @@ Image drawOfRow(const AppState& state, CompareScene& scene, const PictureRequest
   for (PicturePiece& piece : pieces) {
     piece.camera = camera;
     if (turns) continue;
-    piece.look.playhead.reset();
-    if (number + 1 == wanted.frames) continue;
-    const double share = static_cast<double>(number) / (wanted.frames - 1);
-    piece.look.playhead =
-        static_cast<std::size_t>(share * static_cast<double>(state.playback.recorded()));
-    piece.look.problems = false;  // they belong to the finished charts
+    piece.look.playhead = filmPlayhead(state.playback.recorded(), static_cast<std::size_t>(number),
+                                       static_cast<std::size_t>(wanted.frames));
+    if (piece.look.playhead) piece.look.problems = false;  // they belong to the finished charts
   }
   note(state, pieces, wanted.smooth, taken);
   return drawPieces(pieces, extent.width, extent.height, wanted.smooth);
@@ -194,8 +193,8 @@ void PictureTaker::write(const AppState& state, const PictureRequest& request, I
           const std::filesystem::path file = targetOf(request, model, mode);
           writePng(image, file, texts);
           outcome = {true, "Saved " + file.string()};
-        } catch (const Error& error) {
-          outcome = {false, error.what()};
+        } catch (const std::exception& failure) {
+          outcome = {false, failureSentence(failure)};
         }
         wake();
         return outcome;
@@ -219,8 +218,8 @@ void PictureTaker::beginRow(AppState& state, const PictureRequest& request) {
     row_ = Row{request, state.view.camera, state.sharedResults(), folder, 0};
     state.pictureRow = {request.row, 0, settings.frames};
     state.requests.stopPictures = false;
-  } catch (const Error& error) {
-    state.notices.add(Notice::Kind::Error, error.what());
+  } catch (const std::exception& failure) {
+    state.notices.add(Notice::Kind::Error, failureSentence(failure));
   }
 }
 

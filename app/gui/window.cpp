@@ -14,6 +14,7 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/gui/compare_scene.h"
 #include "app/gui/frame_damage.h"
@@ -25,6 +26,7 @@
 #include "app/gui/scene_view.h"
 #include "app/gui/uv_view.h"
 #include "app/host/command.h"
+#include "core/base/failure.h"
 
 namespace chartflood {
 
@@ -34,6 +36,8 @@ constexpr double kFrameSeconds = 1.0 / 60;
 /// Passes that nothing was drawn in do not wait for the display; they are this far apart.
 constexpr double kUndrawnSeconds = 1.0 / 120;
 constexpr double kPassWithPicture = 0.024;  // longer passes leave the 3D view for the next
+/// Failures of passes one after the other that are told before the window gives up.
+constexpr int kMostFailures = 20;
 constexpr int kSettlingFrames = 3;          // Dear ImGui needs some frames to answer an event
 
 std::atomic<bool> wokenByWorker{false};
@@ -95,11 +99,7 @@ class Window::Parts {
     double last = now();
     while (!state_.requests.quit) {
       wait();
-      if (glfwWindowShouldClose(window_.get()) == GLFW_TRUE) {  // may be answered by a question
-        glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
-        state_.perform(actions_, "quit");
-        touched();
-      }
+      answerClosing();
       const double start = now();
       times_ = {};
       if (due()) {
@@ -115,7 +115,9 @@ class Window::Parts {
       const bool leave = late && !pictureWaited_;
       pictureWaited_ = leave;
       const double before = now();
-      if (!leave && goOn()) framesLeft_ = std::max(framesLeft_, 1);
+      guarded([&] {
+        if (!leave && goOn()) framesLeft_ = std::max(framesLeft_, 1);
+      });
       times_.picture = now() - before;
       times_.whole = now() - start;
       if (frameLog_) frameLog_ << times_ << std::flush;
@@ -131,6 +133,29 @@ class Window::Parts {
 
   static Parts& of(GLFWwindow* window) {
     return *static_cast<Parts*>(glfwGetWindowUserPointer(window));
+  }
+
+  /// The request to close may be answered by a question.
+  void answerClosing() {
+    if (glfwWindowShouldClose(window_.get()) != GLFW_TRUE) return;
+    glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
+    state_.perform(actions_, "quit");
+    touched();
+  }
+
+  /// Does a part of a pass. What it throws is told, and the window goes on: the work in it is worth
+  /// more than a part of one picture. Unless it never ends: then the copy of the work is kept for the
+  /// next start. \throws what the part threw, when that happens again and again
+  template <typename Part>
+  void guarded(Part&& part) {
+    try {
+      part();
+      return;
+    } catch (const std::exception& failure) {
+      if (++failures_ > kMostFailures) throw;
+      state_.notices.add(Notice::Kind::Error, failureSentence(failure));
+    }
+    touched();
   }
 
   /// A slow picture is on its way; the 3D view's goes first.
@@ -198,7 +223,8 @@ class Window::Parts {
   void pass(double seconds) {
     framesLeft_ = std::max(0, framesLeft_ - 1);
     const double start = now();
-    state_.update(seconds);
+    const int failuresBefore = failures_;
+    guarded([&] { state_.update(seconds); });
     times_.state = now() - start;
     if (const float scale = wantedScale(); scale != frame_.scale()) {
       frame_.setScale(scale);
@@ -206,7 +232,7 @@ class Window::Parts {
     }
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
-    frame_.draw(&sides_, &uv_, &preview_);
+    guarded([&] { drawFrame(); });
     drawer_.setVision(state_.view.vision);
     ImGui::Render();
     const double built = now();
@@ -215,9 +241,20 @@ class Window::Parts {
     times_.present = now() - built;
     deadline_ = now() + frame_.wakeIn();
     if (state_.panels.picture) preview_.takeWindow(drawer_, *ImGui::GetDrawData());
-    pictures_.update(state_, sides_, frame_.scale());
+    guarded([&] { pictures_.update(state_, sides_, frame_.scale()); });
+    if (failures_ == failuresBefore) failures_ = 0;
     answerRequests();
     writeProbe();
+  }
+
+  void drawFrame() {
+    try {
+      frame_.draw(&sides_, &uv_, &preview_);
+    } catch (...) {
+      // Windows that were begun are ended, so that the next frame begins as usual.
+      ImGui::ErrorCheckEndFrameRecover(nullptr);
+      throw;
+    }
   }
 
   void present() {
@@ -313,6 +350,7 @@ class Window::Parts {
   double deadline_ = 0;
   PassTimes times_;
   double passSeconds_ = 0;
+  int failures_ = 0;  ///< since the last pass without one
   bool drawn_ = false;          ///< the last pass changed the window
   double rested_ = 0;           ///< when the next pass may begin
   bool pictureWaited_ = false;  ///< the 3D view was left for the next turn

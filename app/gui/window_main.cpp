@@ -6,6 +6,7 @@
 #include "app/host/session_view.h"
 #include "app/host/standard_paths.h"
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/log.h"
 
 namespace chartflood {
@@ -53,8 +54,8 @@ void savePreferences(AppState& state, const PreferredByOptions& preferred) {
   preferred.takeBack(kept);
   try {
     writePreferences(kept, configFolder(), stateFolder());
-  } catch (const Error& error) {
-    logMessage(LogLevel::Warning, error.what());
+  } catch (const std::exception& failure) {
+    logMessage(LogLevel::Warning, failureSentence(failure));
   }
 }
 
@@ -115,6 +116,7 @@ int runWindow(const WindowOptions& options) {
     window.run();
   }
   savePreferences(state, preferred);
+  state.keeper.recovery.end();
   return EXIT_SUCCESS;
 }
 

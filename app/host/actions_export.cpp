@@ -24,6 +24,17 @@ std::string needsLabels(const AppState& state) {
 
 std::string needsFlatCharts(const AppState& state) { return exportRefusal(state.results()); }
 
+constexpr const char* kOverwriteHelp = "on: also over the model itself";
+
+/// \throws Refusal when the export would replace the model that it is made from
+void refuseOverModel(const AppState& state, const Arguments& a) {
+  const std::filesystem::path model = state.modelIsFile() ? state.results().mesh->input().file : "";
+  if (a.flag("overwrite", false) || !isSameFile(a.text("file"), model)) return;
+  throw Refusal(model.filename().string() +
+                " is the model itself, and the export does not carry all of it: choose another "
+                "name, or add overwrite=on to the line of the action.");
+}
+
 /// Writes what `bytes` gives to the named file, or opens the browser when none is named.
 template <typename Bytes>
 void exportTo(AppState& state, const Arguments& a, PanelState::Browse browse, Bytes&& bytes) {
@@ -31,6 +42,7 @@ void exportTo(AppState& state, const Arguments& a, PanelState::Browse browse, By
     state.panels.browse = browse;
     return;
   }
+  refuseOverModel(state, a);
   writeFileAtomically(a.text("file"), bytes());
   state.notices.add(Notice::Kind::Info, "Wrote " + a.text("file") + ".");
 }
@@ -58,7 +70,8 @@ void addFlatExports(ActionRegistry& registry) {
                 .title = "Export mesh\u2026",
                 .help = "Writes the mesh with texture coordinates and charts: OBJ, PLY or GLB, by "
                         "the name's ending.",
-                .arguments = {{"file", ArgumentType::Text, "left out: asks", false}},
+                .arguments = {{"file", ArgumentType::Text, "left out: asks", false},
+                              {"overwrite", ArgumentType::Switch, kOverwriteHelp, false}},
                 .refusal = needsFlatCharts,
                 .run = [](AppState& state, const Arguments& a) {
                   exportTo(state, a, PanelState::Browse::SaveMesh,
@@ -68,13 +81,15 @@ void addFlatExports(ActionRegistry& registry) {
   registry.add({.id = "export-uv",
                 .title = "Export UV layout\u2026",
                 .help = "Writes the charts in the texture: PNG or SVG, by the name's ending.",
-                .arguments = {{"file", ArgumentType::Text, "left out: asks", false}},
+                .arguments = {{"file", ArgumentType::Text, "left out: asks", false},
+                              {"overwrite", ArgumentType::Switch, kOverwriteHelp, false}},
                 .refusal = needsFlatCharts,
                 .run = exportUv});
   registry.add({.id = "export-seams",
                 .title = "Export seams\u2026",
                 .help = "Writes borders between charts and cuts as lines (OBJ).",
-                .arguments = {{"file", ArgumentType::Text, "left out: asks", false}},
+                .arguments = {{"file", ArgumentType::Text, "left out: asks", false},
+                              {"overwrite", ArgumentType::Switch, kOverwriteHelp, false}},
                 .refusal = needsFlatCharts,
                 .run = [](AppState& state, const Arguments& a) {
                   exportTo(state, a, PanelState::Browse::SaveSeams,
@@ -89,7 +104,8 @@ void addExportActions(ActionRegistry& registry) {
   registry.add({.id = "export-labels",
                 .title = "Export labels\u2026",
                 .help = "Writes the chart of each face as one number a line.",
-                .arguments = {{"file", ArgumentType::Text, "left out: asks", false}},
+                .arguments = {{"file", ArgumentType::Text, "left out: asks", false},
+                              {"overwrite", ArgumentType::Switch, kOverwriteHelp, false}},
                 .refusal = needsLabels,
                 .run = [](AppState& state, const Arguments& a) {
                   exportTo(state, a, PanelState::Browse::SaveLabels, [&] {
@@ -99,7 +115,8 @@ void addExportActions(ActionRegistry& registry) {
   registry.add({.id = "export-report",
                 .title = "Export report\u2026",
                 .help = "Writes parameters and figures as JSON.",
-                .arguments = {{"file", ArgumentType::Text, "left out: asks", false}},
+                .arguments = {{"file", ArgumentType::Text, "left out: asks", false},
+                              {"overwrite", ArgumentType::Switch, kOverwriteHelp, false}},
                 .refusal = needsLabels,
                 .run = [](AppState& state, const Arguments& a) {
                   exportTo(state, a, PanelState::Browse::SaveReport, [&] {

@@ -7,6 +7,7 @@
 
 #include "app/host/action_registry.h"
 #include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace chartflood {
 
@@ -104,8 +105,9 @@ bool AppState::perform(const ActionRegistry& actions, std::string_view line) {
   } catch (const Refusal& refusal) {
     notices.add(Notice::Kind::Info, refusal.what());
     return false;
-  } catch (const Error& error) {
-    notices.add(Notice::Kind::Error, error.what());
+  } catch (const std::exception& failure) {
+    // Whatever it was: the window and the work in it stay.
+    notices.add(Notice::Kind::Error, failureSentence(failure));
     return false;
   }
 }

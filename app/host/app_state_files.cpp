@@ -8,7 +8,7 @@
 #include "app/host/command.h"
 #include "app/host/picture_record.h"
 #include "app/host/session_view.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_output.h"
 #include "core/io/read_hints.h"
 
@@ -156,8 +156,8 @@ void AppState::takeHints() {
     Document document = session_.document();
     document.hints = readHints(std::exchange(firstHints, {}), *results_->mesh);
     session_.setDocument(document);
-  } catch (const Error& error) {
-    notices.add(Notice::Kind::Error, error.what());
+  } catch (const std::exception& failure) {
+    notices.add(Notice::Kind::Error, failureSentence(failure));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "app/host/export_files.h"
 
 #include <cstdint>
+#include <system_error>
 #include <vector>
 
 #include "core/base/error.h"
@@ -43,6 +44,11 @@ std::vector<std::uint32_t> colorsOf(const Results& results, const std::string& p
 std::string exportRefusal(const Results& results) {
   if (!results.mesh) return "There is no model yet; open one first.";
   return results.flat ? "" : "The charts are not laid flat yet; press Unwrap (W) first.";
+}
+
+bool isSameFile(const std::filesystem::path& target, const std::filesystem::path& input) {
+  std::error_code unknown;  // what is not there is not the same
+  return !input.empty() && std::filesystem::equivalent(target, input, unknown);
 }
 
 std::string exportedMesh(const Results& results, const std::filesystem::path& file) {

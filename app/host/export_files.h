@@ -12,6 +12,10 @@ namespace chartflood {
 /// Why these results cannot be exported yet; "" when they can.
 std::string exportRefusal(const Results& results);
 
+/// True when both names lead to one file, whatever their spelling: over the model itself an export
+/// would drop what it does not carry, materials and animations among it.
+bool isSameFile(const std::filesystem::path& target, const std::filesystem::path& input);
+
 /// The mesh with texture coordinates and charts in the format of the file's extension.
 /// \pre exportRefusal() is empty, here and below \throws UsageError for an unknown extension, Error
 std::string exportedMesh(const Results& results, const std::filesystem::path& file);

@@ -6,6 +6,7 @@
 #include "app/host/app_state.h"
 #include "app/host/compare_look.h"
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/session/compared_methods.h"
 
 namespace chartflood {
@@ -104,8 +105,8 @@ void show(AppState& state, const std::vector<MethodRuns::Done>& runs) {
 void updateMethodRuns(AppState& state) {
   try {
     if (const auto done = state.methodRuns.update()) show(state, *done);
-  } catch (const Error& error) {
-    state.notices.add(Notice::Kind::Error, error.what());
+  } catch (const std::exception& failure) {
+    state.notices.add(Notice::Kind::Error, failureSentence(failure));
   }
 }
 

@@ -1,14 +1,11 @@
 #include "app/host/preferences.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
-#include <system_error>
 
 #include <nlohmann/json.hpp>
 
+#include "app/host/settings_file.h"
 #include "core/base/error.h"
-#include "core/io/file_output.h"
 
 namespace chartflood {
 
@@ -24,16 +21,11 @@ class PreferenceValues {
  public:
   PreferenceValues(const std::filesystem::path& file, std::string& warning)
       : file_(file), warning_(warning) {
-    std::error_code error;
-    if (!std::filesystem::exists(file, error)) return;
-    std::ifstream stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    json_ = Json::parse(text.str(), nullptr, false);
-    if (!stream || json_.is_discarded() || !json_.is_object()) {
-      warn("is not a JSON object and was not used");
-      json_ = Json::object();
-    }
+    std::string problem;
+    json_ = readSettingsFile(file, problem);
+    if (problem.empty()) return;
+    warn(problem + "; it was not used, and will be kept as " + keptName(file).filename().string() +
+         " beside new settings");
   }
 
   template <typename T>
@@ -72,12 +64,13 @@ class PreferenceValues {
 
  private:
   void warn(const std::string& cause) {
-    warning_ = "The settings file " + file_.string() + ' ' + cause + '.';
+    warning_ = "The settings file " + file_.string() + ' ' + cause;
+    if (warning_.back() != '.') warning_ += '.';
   }
 
   std::filesystem::path file_;
   std::string& warning_;
-  Json json_ = Json::object();
+  Json json_;
 };
 
 Json presetsJson(const Preferences& preferences) {
@@ -117,14 +110,6 @@ Json pictureJson(const PictureSettings& picture) {
   for (const std::string& key : pictureKeys())
     list.push_back(key + '=' + pictureValue(picture, key));
   return list;
-}
-
-void writeJson(const std::filesystem::path& folder, const char* name, const Json& json) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw WriteError((folder / name).string(), error.message());
-  writeFileAtomically(folder / name,
-                      json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace
@@ -213,25 +198,25 @@ Preferences readPreferences(const std::filesystem::path& configFolder,
 
 void writePreferences(const Preferences& preferences, const std::filesystem::path& configFolder,
                       const std::filesystem::path& stateFolder) {
-  writeJson(configFolder, kConfigName,
-            {{"theme", themeInfo(preferences.theme).id},
-             {"ui-scale", preferences.uiScale},
-             {"navigation", navigationStyleId(preferences.navigation)},
-             {"invert-zoom", preferences.invertZoom},
-             {"trackball", preferences.trackball},
-             {"invert-turn-x", preferences.invertTurnX},
-             {"invert-turn-y", preferences.invertTurnY},
-             {"live", liveModeId(preferences.live)},
-             {"first-steps", preferences.firstCard},
-             {"ask-unsaved", preferences.askUnsaved},
-             {"presets", presetsJson(preferences)},
-             {"many", manyFacesId(preferences.film.many)},
-             {"reduced-motion", preferences.film.reducedMotion},
-             {"picture", pictureJson(preferences.picture)}});
-  writeJson(stateFolder, kStateName,
-            {{"window-width", preferences.windowWidth},
-             {"window-height", preferences.windowHeight},
-             {"recent-files", preferences.recentFiles}});
+  writeSettingsFile(configFolder / kConfigName,
+                    {{"theme", themeInfo(preferences.theme).id},
+                     {"ui-scale", preferences.uiScale},
+                     {"navigation", navigationStyleId(preferences.navigation)},
+                     {"invert-zoom", preferences.invertZoom},
+                     {"trackball", preferences.trackball},
+                     {"invert-turn-x", preferences.invertTurnX},
+                     {"invert-turn-y", preferences.invertTurnY},
+                     {"live", liveModeId(preferences.live)},
+                     {"first-steps", preferences.firstCard},
+                     {"ask-unsaved", preferences.askUnsaved},
+                     {"presets", presetsJson(preferences)},
+                     {"many", manyFacesId(preferences.film.many)},
+                     {"reduced-motion", preferences.film.reducedMotion},
+                     {"picture", pictureJson(preferences.picture)}});
+  writeSettingsFile(stateFolder / kStateName,
+                    {{"window-width", preferences.windowWidth},
+                     {"window-height", preferences.windowHeight},
+                     {"recent-files", preferences.recentFiles}});
 }
 
 }  // namespace chartflood

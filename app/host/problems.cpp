@@ -4,12 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "app/host/thickness.h"
 #include "core/base/cross.h"
+#include "core/base/interruption.h"
+#include "core/charts/chart_surface.h"
+#include "core/param/border_overlaps.h"
 #include "core/param/uv_overlaps.h"
 
 namespace chartflood {
@@ -117,10 +121,52 @@ void addFlipped(const Results& results, std::vector<Problem>& out) {
   addTriangles(std::move(flipped), results, ProblemKind::Flipped, out);
 }
 
+/// The border of a chart in the texture; empty unless it has one.
+FlatBorder borderOf(const Results& results, Index chart) {
+  const ChartSurface& surface = results.charts->charts[chart].surface;
+  const auto& uv = results.atlas->uv[chart];
+  FlatBorder border;
+  if (uv.size() != surface.vertexCount()) return border;
+  const auto loops = boundaryLoops(surface);
+  if (loops.size() != 1) return border;
+  for (const Index side : loops.front()) border.push_back(uv[surface.sideStart(side)]);
+  return border;
+}
+
+/// The box of all that a chart covers in the texture.
+PlaneBox boxOf(std::span<const glm::dvec2> uv) {
+  PlaneBox box;
+  for (const glm::dvec2& p : uv) box.add(p);
+  return box;
+}
+
+/// Charts whose triangles must be looked at one by one: all others lie apart, as their borders tell.
+std::vector<bool> chartsInDoubt(const Results& results) {
+  const auto& uv = results.atlas->uv;
+  std::vector<FlatBorder> borders;
+  for (Index c = 0; c < uv.size(); ++c) borders.push_back(borderOf(results, c));
+  std::vector<bool> doubt = findMeetingCharts(borders);
+  for (Index c = 0; c < borders.size(); ++c) {
+    if (borders[c].empty() || results.unwrap->charts[c].distortion.flipped > 0) doubt[c] = true;
+  }
+  // Those may reach beyond their borders.
+  const std::vector<bool> alone = doubt;
+  for (Index c = 0; c < uv.size(); ++c) {
+    if (!alone[c]) continue;
+    const PlaneBox box = boxOf(uv[c]);
+    for (Index d = 0; d < uv.size(); ++d) {
+      if (!doubt[d] && box.meets(boxOf(uv[d]))) doubt[d] = true;
+    }
+  }
+  return doubt;
+}
+
 void addOverlapping(const Results& results, std::vector<Problem>& out) {
   std::vector<Index> triangle;
   std::vector<PlaneTriangle> places;
+  const std::vector<bool> doubt = chartsInDoubt(results);
   for (Index c = 0; c < results.atlas->uv.size(); ++c) {
+    if (!doubt[c]) continue;
     eachFlatTriangle(results, c, [&](Index t, const PlaneTriangle& place) {
       triangle.push_back(t);
       places.push_back(place);
@@ -292,8 +338,10 @@ std::vector<Problem> findProblems(const Results& results) {
       flat && results.atlas && results.atlas->uv.size() == results.charts->charts.size();
   if (placed) {
     addFlipped(results, problems);
+    throwIfInterrupted();
     addOverlapping(results, problems);
   }
+  throwIfInterrupted();
   addDegenerate(results, problems);
   if (placed) addThin(results, problems);
   addSharpEdges(results, problems);

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/log.h"
 #include "core/io/file_output.h"
 #include "core/session/session_io.h"
@@ -79,9 +80,18 @@ std::vector<std::filesystem::path> leftCopies(const std::filesystem::path& folde
 
 Recovery::~Recovery() {
   if (!on()) return;
+  finishWriting();
+  // While an exception ends the program the copy is all that is left of the work.
+  std::error_code unknown;
+  if (!std::filesystem::exists(file_, unknown)) removeCopy(file_);
+  ::close(lock_);
+}
+
+void Recovery::end() {
+  if (!on()) return;
   drop();
   removeCopy(file_);
-  ::close(lock_);
+  ::close(std::exchange(lock_, -1));
 }
 
 void Recovery::begin(const std::filesystem::path& folder) {
@@ -109,8 +119,8 @@ bool Recovery::write(std::string text) {
   writing_ = std::async(std::launch::async, [file = file_, bytes = std::move(text)] {
     try {
       writeFileAtomically(file, bytes);
-    } catch (const Error& failure) {
-      logMessage(LogLevel::Warning, failure.what());
+    } catch (const std::exception& failure) {
+      logMessage(LogLevel::Warning, failureSentence(failure));
     }
   });
   return true;

@@ -14,7 +14,7 @@ namespace chartflood {
 class Recovery {
  public:
   Recovery() = default;
-  /// Removes the own copy: a clean end has nothing to recover.
+  /// Leaves the own copy where it is; see end().
   ~Recovery();
   Recovery(const Recovery&) = delete;
   Recovery& operator=(const Recovery&) = delete;
@@ -29,6 +29,9 @@ class Recovery {
   bool write(std::string text);
   /// Removes the copy.
   void drop();
+  /// Removes the copy and is off from now on: a clean end has nothing to recover. The only way in
+  /// which the end of the program removes it.
+  void end();
   /// Where the copy stands.
   const std::filesystem::path& file() const { return file_; }
 

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -12,10 +14,36 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/interruption.h"
 
 namespace chartflood {
 
 namespace {
+
+/// Names of the files that wait beside their targets.
+class StagedNames {
+ public:
+  static StagedNames& all() {
+    static auto* names = new StagedNames;  // outlives every thread that may still stage
+    return *names;
+  }
+  void add(const std::filesystem::path& file) {
+    const std::lock_guard lock(mutex_);
+    names_.insert(file);
+  }
+  void remove(const std::filesystem::path& file) {
+    const std::lock_guard lock(mutex_);
+    names_.erase(file);
+  }
+  void unlinkAll() {
+    const std::lock_guard lock(mutex_);
+    for (const std::filesystem::path& file : names_) ::unlink(file.c_str());
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::filesystem::path> names_;
+};
 
 std::string causeOf(int error) {
   switch (error) {
@@ -93,11 +121,12 @@ StagedFile::StagedFile(const std::filesystem::path& target, std::string_view byt
   const int rights = rightsOfOldFile(asked_, target_);
   const int file = createAside(target_.parent_path(), aside_);
   if (file < 0) throw WriteError(asked_.string(), causeOf(errno));
+  StagedNames::all().add(aside_);
   int error = rights < 0 || ::fchmod(file, static_cast<mode_t>(rights)) == 0 ? 0 : errno;
   if (error == 0) error = writeAll(file, bytes);
   if (::close(file) != 0 && error == 0) error = errno;
   if (error != 0) {
-    ::unlink(aside_.c_str());  // the destructor does not run
+    discard();  // the destructor does not run
     throw WriteError(asked_.string(), causeOf(error));
   }
 }
@@ -107,15 +136,28 @@ StagedFile::StagedFile(StagedFile&& other) noexcept
       aside_(std::exchange(other.aside_, {})) {}
 
 StagedFile::~StagedFile() {
-  if (!aside_.empty()) ::unlink(aside_.c_str());
+  if (!aside_.empty()) discard();
+}
+
+void StagedFile::discard() {
+  ::unlink(aside_.c_str());
+  StagedNames::all().remove(aside_);
 }
 
 void StagedFile::commit() {
   if (::rename(aside_.c_str(), target_.c_str()) != 0) {
     throw WriteError(asked_.string(), causeOf(errno));
   }
+  StagedNames::all().remove(aside_);
   aside_.clear();
 }
+
+void commitAll(std::span<StagedFile> files) {
+  const UninterruptedScope whole;
+  for (StagedFile& file : files) file.commit();
+}
+
+void removeStagedFiles() noexcept { StagedNames::all().unlinkAll(); }
 
 void writeFileAtomically(const std::filesystem::path& file, std::string_view bytes) {
   StagedFile(file, bytes).commit();

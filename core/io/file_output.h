@@ -2,6 +2,7 @@
 /// Files appear complete or not at all: written aside, then renamed.
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 namespace chartflood {
@@ -24,10 +25,18 @@ class StagedFile {
   void commit();
 
  private:
+  void discard();
+
   std::filesystem::path asked_;   ///< as the user wrote it, for messages
   std::filesystem::path target_;  ///< behind symbolic links
   std::filesystem::path aside_;   ///< empty once nothing is left to remove
 };
+
+/// Puts all of them in their places, which no interruption divides. \throws WriteError
+void commitAll(std::span<StagedFile> files);
+
+/// Removes what waits beside its target: for ends that run no destructors. Waits for nobody.
+void removeStagedFiles() noexcept;
 
 /// Replaces or creates one file. When it fails, or is interrupted, the old file is as it was.
 /// \throws WriteError with the cause

@@ -17,20 +17,6 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-bool segmentsCross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c,
-                   const glm::dvec2& d, Contact contact) {
-  const double abc = turn(a, b, c), abd = turn(a, b, d), cda = turn(c, d, a), cdb = turn(c, d, b);
-  if (abc * abd > 0 || cda * cdb > 0) return false;
-  if (contact == Contact::Any) {
-    // On one line they may still be apart.
-    if (abc != 0 || abd != 0) return true;
-    return glm::all(glm::lessThanEqual(glm::max(glm::min(a, b), glm::min(c, d)),
-                                       glm::min(glm::max(a, b), glm::max(c, d))));
-  }
-  const double least = kDeep * glm::distance(a, b) * glm::distance(c, d);
-  return std::min({std::abs(abc), std::abs(abd), std::abs(cda), std::abs(cdb)}) > least;
-}
-
 double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 edge = b - a;
   const double squared = glm::dot(edge, edge);
@@ -104,6 +90,20 @@ class SegmentGrid {
 };
 
 }  // namespace
+
+bool segmentsCross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c,
+                   const glm::dvec2& d, Contact contact) {
+  const double abc = turn(a, b, c), abd = turn(a, b, d), cda = turn(c, d, a), cdb = turn(c, d, b);
+  if (abc * abd > 0 || cda * cdb > 0) return false;
+  if (contact == Contact::Any) {
+    // On one line they may still be apart.
+    if (abc != 0 || abd != 0) return true;
+    return glm::all(glm::lessThanEqual(glm::max(glm::min(a, b), glm::min(c, d)),
+                                       glm::min(glm::max(a, b), glm::max(c, d))));
+  }
+  const double least = kDeep * glm::distance(a, b) * glm::distance(c, d);
+  return std::min({std::abs(abc), std::abs(abd), std::abs(cda), std::abs(cdb)}) > least;
+}
 
 bool findCrossings(std::span<const Index> loop, std::span<const glm::dvec2> uv, Contact contact,
                    std::vector<bool>& crossing) {

@@ -18,6 +18,10 @@ enum class Contact {
          ///< of their lengths in twice the area: the sides of a closed slit shall not count
 };
 
+/// Whether the segments from a to b and from c to d cross.
+bool segmentsCross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c,
+                   const glm::dvec2& d, Contact contact);
+
 /// Marks the segments (from `loop[i]` to the next) that cross another that is not their neighbour.
 /// \return true when there is any; `crossing` then says which
 /// Cost: linear for even segments (uniform grid).

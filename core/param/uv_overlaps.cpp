@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/base/index.h"
+#include "core/base/interruption.h"
 
 namespace chartflood {
 
@@ -68,14 +70,42 @@ class TriangleGrid {
   std::size_t column(const glm::dvec2& p) const { return cell(p.x, low_.x); }
   std::size_t row(const glm::dvec2& p) const { return cell(p.y, low_.y); }
 
+  /// The cells that the triangle reaches into, row by row: long thin ones cross few of those in
+  /// their box.
   template <typename Visit>
-  void eachCell(const UvBox& box, Visit&& visit) const {
+  void eachCell(const PlaneTriangle& t, Visit&& visit) const {
+    const UvBox box = boxOf(t);
     for (std::size_t y = row(box.low); y <= row(box.high); ++y) {
-      for (std::size_t x = column(box.low); x <= column(box.high); ++x) visit(y * side_ + x);
+      const auto [left, right] = reach(t, y);
+      for (std::size_t x = cell(left, low_.x); x <= cell(right, low_.x); ++x) visit(y * side_ + x);
     }
   }
 
  private:
+  /// How far the triangle goes to the left and right within a row of cells. Rounding must leave no
+  /// cell out: the row is taken a little higher than it is.
+  std::pair<double, double> reach(const PlaneTriangle& t, std::size_t y) const {
+    constexpr double kSlack = 1e-6;
+    const double height = perUnit_ > 0 ? 1 / perUnit_ : 0;
+    const double low = low_.y + (static_cast<double>(y) - kSlack) * height;
+    const double high = low_.y + (static_cast<double>(y + 1) + kSlack) * height;
+    // Beyond the first and last row there are none.
+    const double bottom = y == 0 ? -1e300 : low, top = y + 1 == side_ ? 1e300 : high;
+    double left = 1e300, right = -1e300;
+    const auto add = [&](double x) {
+      left = std::min(left, x);
+      right = std::max(right, x);
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::dvec2 &a = t[i], &b = t[(i + 1) % 3];
+      if (a.y >= bottom && a.y <= top) add(a.x);
+      for (const double line : {bottom, top}) {
+        if ((a.y < line) != (b.y < line)) add(a.x + (b.x - a.x) * ((line - a.y) / (b.y - a.y)));
+      }
+    }
+    return {left - kSlack * height, right + kSlack * height};
+  }
+
   glm::dvec2 low_;
   double perUnit_ = 0;
   std::size_t side_ = 1;
@@ -98,15 +128,16 @@ std::vector<bool> findOverlaps(std::span<const PlaneTriangle> triangles, double 
   // Triangles of each cell, cell after cell.
   std::vector<std::size_t> first(grid.side() * grid.side() + 1, 0);
   for (const Index t : thick) {
-    grid.eachCell(boxOf(triangles[t]), [&](std::size_t cell) { ++first[cell + 1]; });
+    grid.eachCell(triangles[t], [&](std::size_t cell) { ++first[cell + 1]; });
   }
   for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
   std::vector<Index> held(first.back());
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (const Index t : thick) {
-    grid.eachCell(boxOf(triangles[t]), [&](std::size_t cell) { held[next[cell]++] = t; });
+    grid.eachCell(triangles[t], [&](std::size_t cell) { held[next[cell]++] = t; });
   }
   for (std::size_t cell = 0; cell + 1 < first.size(); ++cell) {
+    throwIfInterrupted();
     for (std::size_t i = first[cell]; i < first[cell + 1]; ++i) {
       for (std::size_t k = i + 1; k < first[cell + 1]; ++k) {
         const Index a = held[i], b = held[k];

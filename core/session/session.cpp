@@ -4,9 +4,9 @@
 #include <chrono>
 #include <functional>
 #include <mutex>
-#include <new>
 #include <utility>
 
+#include "core/base/failure.h"
 #include "core/io/file_checksum.h"
 #include "core/io/read_mesh.h"
 #include "core/io/samples.h"
@@ -206,10 +206,8 @@ class Session::Engine {
     queue_.add(kind, [this, job = std::move(job)](Progress& progress) {
       try {
         job(progress);
-      } catch (const std::bad_alloc&) {
-        post({Notice::Kind::Error, "There is not enough memory for this; nothing was changed."});
       } catch (const std::exception& failure) {
-        post({Notice::Kind::Error, failure.what()});
+        post({Notice::Kind::Error, failureSentence(failure)});
       }
       wake();
     });

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -382,6 +383,51 @@ TEST_F(Program, InterruptedItLeavesNothingBehind) {
   EXPECT_EQ(stopped.exitCode, 130);
   EXPECT_THAT(stopped.errors, HasSubstr("Interrupted"));
   EXPECT_TRUE(listing().empty()) << testing::PrintToString(listing());
+}
+
+TEST_F(Program, InterruptedWhileAPictureIsDrawnItLeavesNothingBehind) {
+  // Minutes of drawing: it would not be through by then.
+  const ProgramRun stopped =
+      run({"--sample=cube", "--charts=6", "--resolution=16384,16384", "--supersampling=4",
+           "--output=a.png", "--export-labels=labels.txt"},
+          3000);
+  EXPECT_EQ(stopped.exitCode, 130);
+  EXPECT_THAT(stopped.errors, HasSubstr("Interrupted"));
+  EXPECT_TRUE(listing().empty()) << testing::PrintToString(listing());
+}
+
+TEST_F(Program, ResultsNeverReplaceWhatTheyAreMadeFrom) {
+  const auto made = run({"--sample=cube", "--export-mesh=model.obj"});
+  ASSERT_EQ(made.exitCode, 0) << made.errors;
+  const std::string before = readAll(folder_.path() / "model.obj");
+  std::filesystem::create_symlink("model.obj", folder_.path() / "link.obj");
+  for (const char* target : {"model.obj", "./model.obj", "link.obj"}) {
+    for (const char* option : {"--export-mesh=", "--export-seams="}) {
+      const ProgramRun refused = run({"model.obj", "--charts=3", std::string(option) + target});
+      EXPECT_EQ(refused.exitCode, 2) << option << target;
+      EXPECT_THAT(refused.errors, HasSubstr("--overwrite"));
+      EXPECT_EQ(readAll(folder_.path() / "model.obj"), before);
+    }
+  }
+  EXPECT_EQ(run({"model.obj", "--charts=3", "--export-mesh=other.obj"}).exitCode, 0);
+  EXPECT_EQ(run({"model.obj", "--charts=3", "--export-mesh=link.obj", "--overwrite"}).exitCode, 0);
+  EXPECT_NE(readAll(folder_.path() / "model.obj"), before);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_.path() / "link.obj"));
+}
+
+TEST_F(Program, ProblemsOfAFaceOfThousandsOfCornersAreFound) {
+  constexpr int kCorners = 5000;
+  std::string text, face = "f";
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / kCorners;
+    text += "v " + std::to_string(std::cos(angle)) + ' ' + std::to_string(std::sin(angle)) + " 0\n";
+    face += ' ' + std::to_string(i + 1);
+  }
+  writeAll(folder_.path() / "disk.obj", text + face + '\n');
+  const ProgramRun done =
+      run({"disk.obj", "--problems", "--output=a.png", "--resolution=64,64", "--supersampling=1"});
+  EXPECT_EQ(done.exitCode, 0) << done.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "a.png"));
 }
 
 TEST_F(Program, StandardOutputCarriesNothingButTheReport) {

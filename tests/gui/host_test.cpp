@@ -1,6 +1,11 @@
 // The host's small values: keys, script lines, undo, names of files, preferences, sliders.
 
+#include <filesystem>
 #include <fstream>
+#include <map>
+#include <sstream>
+
+#include <sys/stat.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -134,6 +139,69 @@ TEST(Preferences, BrokenFilesAreNamedAndNotFatal) {
   std::ofstream(folder.path() / "config.json") << "not json";
   EXPECT_EQ(readPreferences(folder.path(), folder.path(), warning), Preferences{});
   EXPECT_THAT(warning, HasSubstr("config.json"));
+}
+
+/// What is in the folder beside the settings themselves: the content by the name.
+std::map<std::string, std::string> keptIn(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> kept;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    std::ifstream stream(entry.path());
+    std::ostringstream text;
+    text << stream.rdbuf();
+    const std::string name = entry.path().filename().string();
+    if (name != "config.json" && name != "state.json") kept[name] = text.str();
+  }
+  return kept;
+}
+
+TEST(Preferences, WhatCannotBeReadIsKeptBeside) {
+  const TemporaryFolder folder;
+  const std::string typed = "{ \"theme\": \"light\", }";  // one comma too many
+  const std::string odd = "{ \"ui-scale\": \"big\" }";
+  const std::string deep(200'000, '[');
+  const auto save = [&](const std::string& text) {
+    std::ofstream(folder.path() / "config.json") << text;
+    std::string warning;
+    const Preferences read = readPreferences(folder.path(), folder.path(), warning);
+    EXPECT_NE(warning, "");
+    writePreferences(read, folder.path(), folder.path());
+    EXPECT_EQ(readPreferences(folder.path(), folder.path(), warning), read);
+    EXPECT_EQ(warning, "");
+  };
+  save(typed);
+  save(odd);
+  save(deep);
+  EXPECT_EQ(keptIn(folder.path()),
+            (std::map<std::string, std::string>{{"config.json.broken", typed},
+                                                {"config.json.broken-2", odd},
+                                                {"config.json.broken-3", deep}}));
+}
+
+TEST(Preferences, WhatIsNotKnownStays) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "config.json")
+      << R"({"of-a-newer-version": [1, 2], "theme": "light"})";
+  std::string warning;
+  Preferences likes = readPreferences(folder.path(), folder.path(), warning);
+  EXPECT_EQ(warning, "");
+  likes.theme = ThemeKind::Dark;
+  writePreferences(likes, folder.path(), folder.path());
+  std::ifstream stream(folder.path() / "config.json");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  EXPECT_THAT(text.str(), HasSubstr("of-a-newer-version"));
+  EXPECT_THAT(text.str(), HasSubstr(R"("theme": "dark")"));
+  EXPECT_TRUE(keptIn(folder.path()).empty());
+}
+
+TEST(Preferences, APipeIsNeitherReadNorReplaced) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder.path() / "config.json").c_str(), 0600), 0);
+  std::string warning;
+  EXPECT_EQ(readPreferences(folder.path(), folder.path(), warning), Preferences{});
+  EXPECT_THAT(warning, HasSubstr("config.json"));
+  EXPECT_THROW(writePreferences({}, folder.path(), folder.path()), WriteError);
+  EXPECT_TRUE(std::filesystem::is_fifo(folder.path() / "config.json"));
 }
 
 TEST(Preferences, RecentFilesAreNewestFirstWithoutRepeats) {

@@ -27,6 +27,7 @@
 #include "core/base/rng.h"
 #include "core/gauss/spherical_polygon.h"
 #include "core/model/build_mesh.h"
+#include "core/param/border_overlaps.h"
 #include "core/param/uv_overlaps.h"
 
 namespace chartflood {
@@ -388,6 +389,47 @@ TEST(UvOverlaps, AgreeWithACountOfPointsInTriangles) {
       EXPECT_FALSE(findOverlaps(triangles, 4e-3)[t]) << t;
     }
   }
+}
+
+TEST(UvOverlaps, LongThinTrianglesAreHeldByTheCellsThatTheyReach) {
+  // Slivers across the whole square, side by side, and one that crosses them all.
+  std::vector<PlaneTriangle> triangles;
+  constexpr int kSlivers = 300;
+  for (int i = 0; i < kSlivers; ++i) {
+    const double x = i / double{kSlivers};
+    triangles.push_back({glm::dvec2(x, 0), {x + 0.9 / kSlivers, 0}, {x + 0.4, 1}});
+  }
+  std::vector<bool> found = findOverlaps(triangles, 1e-9);
+  EXPECT_EQ(std::count(found.begin(), found.end(), true), 0);
+  triangles.push_back({glm::dvec2(-0.1, 0.5), {1.5, 0.5}, {1.5, 0.501}});
+  found = findOverlaps(triangles, 1e-9);
+  EXPECT_EQ(std::count(found.begin(), found.end(), true), kSlivers + 1);
+}
+
+/// A regular polygon about `center`.
+FlatBorder ring(const glm::dvec2& center, double radius, int corners) {
+  FlatBorder border;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * glm::pi<double>() * i / corners;
+    border.push_back(center + radius * glm::dvec2(std::cos(angle), std::sin(angle)));
+  }
+  return border;
+}
+
+TEST(BorderOverlaps, ChartsMeetByCrossingOrHolding) {
+  const std::vector<FlatBorder> borders = {
+      ring({0, 0}, 1, 50),                   // crossed by the next
+      ring({1.5, 0}, 1, 60),                 //
+      ring({10, 0}, 1, 40),                  // holds the next
+      ring({10.2, 0.1}, 0.1, 7),             //
+      ring({20, 0}, 1, 30),                  // alone
+      {},                                    // nothing
+      {{30, 0}, {31, 0}, {30, 1}, {31, 1}},  // crosses itself
+      {{40, 0}, {41, 0}, {41, 1}, {40, 1}},  // touches the next along a side
+      {{41, 0}, {42, 0}, {42, 1}, {41, 1}},  //
+  };
+  EXPECT_EQ(findMeetingCharts(borders),
+            (std::vector<bool>{true, true, true, true, false, false, true, false, false}));
 }
 
 TEST(UvOverlaps, NeighboursOnlyTouch) {

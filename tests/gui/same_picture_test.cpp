@@ -13,6 +13,7 @@
 #include "app/gui/picture_taker.h"
 #include "app/host/action_registry.h"
 #include "app/host/chart_swap.h"
+#include "app/host/film_frame.h"
 #include "core/base/error.h"
 #include "core/io/file_output.h"
 #include "render/gl/offscreen_context.h"
@@ -226,6 +227,46 @@ TEST_F(SamePicture, OfEveryPictureOfARow) {
       call(
           {(folder.path() / "model.obj").string(), "--like=" + file.string(), "--output=" + again});
       EXPECT_EQ(compareImages(readPng(file), readPng(again)).differentPixels, 0u) << file;
+    }
+  }
+}
+
+TEST_F(SamePicture, OfAWholeFilm) {
+  // A number of pictures by which the faces cannot be divided evenly.
+  constexpr int kFrames = 12;
+  openModel();
+  run("set charts 6");
+  state.preferences.picture.folder = folder.path().string();
+  PictureTaker taker([] {});
+  ASSERT_TRUE(state.perform(actions, "flood-film " + std::to_string(kFrames)));
+  for (int i = 0; i < 2000 && (state.pictureRow.running() || i == 0); ++i) {
+    taker.update(state, scene, 1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  const auto frame = [&](const std::string& begin, int number) {
+    return begin + (number < 10 ? "_00" : "_0") + std::to_string(number) + ".png";
+  };
+  const std::string window = (folder.path() / "model_flood" / "model_flood").string();
+  call({(folder.path() / "model.obj").string(), "--like=" + frame(window, kFrames),
+        "--flood-film=" + std::to_string(kFrames),
+        "--output=" + (folder.path() / "batch.png").string()});
+  for (int i = 1; i <= kFrames; ++i) {
+    const Image batch = readPng(frame((folder.path() / "batch").string(), i));
+    EXPECT_EQ(compareImages(readPng(frame(window, i)), batch).differentPixels, 0u) << i;
+  }
+}
+
+TEST(FilmFrame, MomentsRunEvenlyFromNoneToAll) {
+  for (const std::size_t recorded : {0u, 1u, 500u, 1'000'003u}) {
+    for (const std::size_t frames : {2u, 7u, 49u, 300u}) {
+      EXPECT_EQ(filmPlayhead(recorded, 0, frames), 0u);
+      EXPECT_EQ(filmPlayhead(recorded, frames - 1, frames), std::nullopt);
+      for (std::size_t i = 0; i + 1 < frames; ++i) {
+        // The largest whole number that is not above the exact share.
+        const std::size_t at = *filmPlayhead(recorded, i, frames);
+        EXPECT_LE(at * (frames - 1), recorded * i);
+        EXPECT_GT((at + 1) * (frames - 1), recorded * i);
+      }
     }
   }
 }

@@ -234,8 +234,47 @@ TEST_F(Work, ACleanEndLeavesNothing) {
     recovery.write("text");
     recovery.drop();
     recovery.write("text");
+    recovery.end();
+    EXPECT_FALSE(recovery.on());
   }
   EXPECT_TRUE(copies().empty());
+}
+
+TEST_F(Work, AnEndByAnExceptionLeavesTheCopy) {
+  try {
+    Recovery recovery;
+    recovery.begin(states());
+    recovery.write("text");
+    throw std::bad_alloc();
+  } catch (const std::bad_alloc&) {
+  }
+  EXPECT_THAT(copies(), testing::Contains(testing::EndsWith(".chartflood")));
+  Recovery next;
+  next.begin(states());
+  EXPECT_EQ(next.left().size(), 1u) << "and the next start offers it";
+}
+
+TEST_F(Work, WhateverAnActionThrowsTheWorkStays) {
+  ActionRegistry actions = makeActionRegistry();
+  actions.add({.id = "run-out-of-memory",
+               .title = "",
+               .help = "",
+               .arguments = {},
+               .refusal = {},
+               .run = [](AppState&, const Arguments&) { throw std::bad_alloc(); }});
+  actions.add({.id = "break",
+               .title = "",
+               .help = "",
+               .arguments = {},
+               .refusal = {},
+               .run = [](AppState&, const Arguments&) { throw std::out_of_range("vector"); }});
+  run("set charts 9");
+  EXPECT_FALSE(state().perform(actions, "run-out-of-memory"));
+  EXPECT_THAT(lastToast(), HasSubstr("not enough memory"));
+  EXPECT_FALSE(state().perform(actions, "break"));
+  EXPECT_THAT(lastToast(), HasSubstr("inside the program (vector)"));
+  EXPECT_TRUE(state().unsaved());
+  EXPECT_EQ(state().document().parameters.charts, 9);
 }
 
 TEST_F(Work, WhatIsLeftIsOfferedAndRestored) {
