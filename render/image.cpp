@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include <png.h>
 #include <unistd.h>
@@ -84,7 +83,44 @@ bool isOpaque(const Image& image) {
                      [](const Rgba8& p) { return p[3] == 255; });
 }
 
+void takeTexts(Reader& reader, ImageTexts& texts) {
+  png_textp chunks = nullptr;
+  int count = 0;
+  png_get_text(reader.png, reader.info, &chunks, &count);
+  for (int i = 0; i < count; ++i) texts.emplace_back(chunks[i].key, chunks[i].text);
+}
+
+/// Reads as far as the pixels, and refuses more of them than can be.
+void beginReading(Reader& reader, ByteReader& source, const std::string& file) {
+  const std::size_t size = source.rest.size();
+  if (size < 8 || png_sig_cmp(source.rest.data(), 0, 8) != 0) {
+    throw PngFailure{"it is no PNG picture"};
+  }
+  png_set_read_fn(reader.png, &source, takeBytes);
+  // Its own limits have words of their own.
+  png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+  png_read_info(reader.png, reader.info);
+  // Deflate makes 1032 bytes of one at the most.
+  constexpr std::size_t kBitsOfByte = 8 * 1040;
+  const auto bits = std::size_t{png_get_channels(reader.png, reader.info)} *
+                    png_get_bit_depth(reader.png, reader.info);
+  requireSanePicture(png_get_image_width(reader.png, reader.info),
+                     png_get_image_height(reader.png, reader.info),
+                     size * kBitsOfByte / std::max<std::size_t>(bits, 1), file);
+}
+
 }  // namespace
+
+void requireSanePicture(std::size_t width, std::size_t height, std::size_t mostPixelsOfBytes,
+                        const std::string& file) {
+  const std::string claim = "it says that it has " + std::to_string(width) + " x " +
+                            std::to_string(height) + " pixels";
+  const std::size_t most = std::min(kMostPixels, mostPixelsOfBytes);
+  if (width == 0 || height <= most / width) return;
+  throw ReadError(file, most == kMostPixels
+                            ? claim + ", and 16384 x 16384 are the most; save it smaller"
+                            : claim + ", more than so short a file can hold; save it anew");
+}
 
 std::vector<std::uint8_t> encodePng(const Image& image, const ImageTexts& texts) {
   std::vector<std::uint8_t> bytes;
@@ -116,12 +152,8 @@ std::vector<std::uint8_t> encodePng(const Image& image, const ImageTexts& texts)
 Image decodePng(std::span<const std::uint8_t> bytes, const std::string& file, ImageTexts* texts) {
   ByteReader source{bytes};
   try {
-    if (bytes.size() < 8 || png_sig_cmp(bytes.data(), 0, 8) != 0) {
-      throw PngFailure{"it is no PNG picture"};
-    }
     Reader reader;
-    png_set_read_fn(reader.png, &source, takeBytes);
-    png_read_info(reader.png, reader.info);
+    beginReading(reader, source, file);
     png_set_expand(reader.png);
     png_set_strip_16(reader.png);
     png_set_gray_to_rgb(reader.png);
@@ -135,10 +167,7 @@ Image decodePng(std::span<const std::uint8_t> bytes, const std::string& file, Im
       }
     }
     png_read_end(reader.png, reader.info);
-    png_textp chunks = nullptr;
-    int count = 0;
-    png_get_text(reader.png, reader.info, &chunks, &count);
-    for (int i = 0; texts && i < count; ++i) texts->emplace_back(chunks[i].key, chunks[i].text);
+    if (texts != nullptr) takeTexts(reader, *texts);
     return image;
   } catch (const PngFailure& failure) {
     throw ReadError(file, failure.message);
@@ -168,12 +197,21 @@ void writePng(const Image& image, const std::filesystem::path& file, const Image
 }
 
 Image readPng(const std::filesystem::path& file, ImageTexts* texts) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw ReadError(file.string(), "there is no such file, or it may not be read");
-  const std::vector<char> content(std::istreambuf_iterator<char>(in), {});
-  const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(content.data()),
-                                            content.size());
-  return decodePng(bytes, file.string(), texts);
+  return decodePng(FileBytes(file, kPictureFile).bytes(), file.string(), texts);
+}
+
+ImageTexts readPngTexts(const std::filesystem::path& file) {
+  const FileBytes content(file, kPictureFile);
+  ByteReader source{content.bytes()};
+  try {
+    Reader reader;
+    beginReading(reader, source, file.string());
+    ImageTexts texts;
+    takeTexts(reader, texts);
+    return texts;
+  } catch (const PngFailure& failure) {
+    throw ReadError(file.string(), failure.message);
+  }
 }
 
 ImageDifference compareImages(const Image& a, const Image& b, int tolerance) {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/file_bytes.h"
+
 namespace chartflood {
 
 /// Red, green, blue, alpha of 8 bits each; sRGB, straight alpha.
@@ -46,6 +48,15 @@ using ImageTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// The bytes of a PNG file; equal pictures and texts give equal bytes. \throws Interrupted
 std::vector<std::uint8_t> encodePng(const Image& image, const ImageTexts& texts = {});
+/// Pictures with more pixels are not read: as many as the largest that the program writes.
+inline constexpr std::size_t kMostPixels = std::size_t{16384} * 16384;
+/// The largest file that is opened as a picture.
+inline constexpr FileLimit kPictureFile{std::size_t{256'000'000}, "a picture"};
+/// Holds the size that a picture claims against kMostPixels and against what its bytes can hold.
+/// \throws ReadError naming `file`.
+void requireSanePicture(std::size_t width, std::size_t height, std::size_t mostPixelsOfBytes,
+                        const std::string& file);
+
 /// Reads what encodePng (or any other program) wrote; texts go to `texts` when given.
 /// \throws ReadError naming `file`.
 Image decodePng(std::span<const std::uint8_t> bytes, const std::string& file,
@@ -56,6 +67,8 @@ Image decodePng(std::span<const std::uint8_t> bytes, const std::string& file,
 void writePng(const Image& image, const std::filesystem::path& file, const ImageTexts& texts = {});
 /// \throws ReadError
 Image readPng(const std::filesystem::path& file, ImageTexts* texts = nullptr);
+/// The texts that stand before the pixels, which are not looked at. \throws ReadError
+ImageTexts readPngTexts(const std::filesystem::path& file);
 
 /// How much two pictures of one size differ.
 struct ImageDifference {

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <memory>
-#include <vector>
+#include <span>
 
 #include <stb/stb_image.h>
 
@@ -15,29 +13,17 @@ namespace chartflood {
 
 namespace {
 
-constexpr int kLargestRead = 1 << 15;           // a side, before halving
-constexpr std::uintmax_t kMostBytes = 1 << 28;  // of the file
-
-std::vector<std::uint8_t> bytesOf(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!error && size > kMostBytes) {
-    throw ReadError(file.string(), "it is too large for a picture; 256 MB is the most");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw ReadError(file.string(), "the file cannot be opened");
-  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw ReadError(file.string(), "the file cannot be read");
-  return bytes;
-}
-
-Image decodeJpeg(const std::vector<std::uint8_t>& bytes, const std::string& file) {
+Image decodeJpeg(std::span<const std::uint8_t> bytes, const std::string& file) {
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0 || width < 1 ||
-      height < 1 || width > kLargestRead || height > kLargestRead) {
+      height < 1) {
     throw ReadError(file, "it is no JPEG picture that can be read");
   }
+  // A block of 8 x 8 pixels takes a bit at least.
+  constexpr std::size_t kPixelsOfByte = 8 * 64;
+  requireSanePicture(static_cast<std::size_t>(width), static_cast<std::size_t>(height),
+                     kPixelsOfByte * bytes.size(), file);
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels) throw ReadError(file, "it is no whole JPEG picture");
@@ -46,19 +32,6 @@ Image decodeJpeg(const std::vector<std::uint8_t>& bytes, const std::string& file
     std::copy_n(pixels.get() + 4 * i, 4, image.pixels()[i].begin());
   }
   return image;
-}
-
-/// A file of a few bytes may claim any size: it is refused before there is room for it.
-void requireSanePng(const std::vector<std::uint8_t>& bytes, const std::string& file) {
-  if (bytes.size() < 24) throw ReadError(file, "it is no PNG or JPEG picture");
-  const auto number = [&](std::size_t at) {
-    return (std::uint32_t{bytes[at]} << 24) | (std::uint32_t{bytes[at + 1]} << 16) |
-           (std::uint32_t{bytes[at + 2]} << 8) | bytes[at + 3];
-  };
-  constexpr auto kMost = static_cast<std::uint32_t>(kLargestRead);
-  if (number(16) > kMost || number(20) > kMost) {
-    throw ReadError(file, "it is larger than 32768 pixels a side");
-  }
 }
 
 /// Half as large; a last odd row or column is left out.
@@ -76,9 +49,9 @@ Image halved(const Image& image) {
 }  // namespace
 
 Image readPicture(const std::filesystem::path& file) {
-  const std::vector<std::uint8_t> bytes = bytesOf(file);
+  const FileBytes content(file, kPictureFile);
+  const std::span<const std::uint8_t> bytes = content.bytes();
   const bool jpeg = bytes.size() > 2 && bytes[0] == 0xFF && bytes[1] == 0xD8;
-  if (!jpeg) requireSanePng(bytes, file.string());
   Image image = jpeg ? decodeJpeg(bytes, file.string()) : decodePng(bytes, file.string());
   while (std::max(image.width(), image.height()) > kLargestPicture) image = halved(image);
   return image;

@@ -82,7 +82,9 @@ std::string savedSession(const Session& session, const Invocation& call) {
   SessionFile saved = sessionOf(model, session.document(), *results);
   const PictureOptions& picture = call.picture;
   ViewSettings view;
-  if (call.session) applyViewValues(call.session->view, view);  // what no option turns
+  if (call.session) {  // what no option turns
+    applyViewValues(call.session->view, view, call.session->folder);
+  }
   view.render = picture.settings;
   view.camera = cameraFromOptions(*results->mesh, picture.camera,
                                   static_cast<double>(picture.width) / picture.height);

@@ -12,6 +12,7 @@
 #include "app/host/session_view.h"
 #include "app/host/standard_paths.h"
 #include "core/base/error.h"
+#include "core/io/samples.h"
 #include "render/color_map.h"
 
 namespace chartflood {
@@ -66,7 +67,7 @@ void readSessionInput(const Tokens& tokens, Invocation& call) {
   call.parameters = call.session->parameters;
   ViewSettings view;
   view.render = call.picture.settings;
-  call.warnings = applyViewValues(call.session->view, view);
+  call.warnings = applyViewValues(call.session->view, view, call.session->folder);
   call.picture.settings = view.render;
   call.picture.chartColors = view.chartColors;
   if (record) takeRecord(*record, view, call.picture);
@@ -315,7 +316,7 @@ void readCamera(const Tokens& tokens, CameraOptions& camera) {
 void readGeneral(const Tokens& tokens, Invocation& call) {
   if (tokens.has("sample")) call.sample = tokens.text("sample");
   if (tokens.has("triangles")) {
-    call.triangles = readCount("triangles", tokens.text("triangles"), 1, 50'000'000);
+    call.triangles = readCount("triangles", tokens.text("triangles"), 1, kMostSampleTriangles);
   }
   if (tokens.has("threads")) {
     call.threads =

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/io/parse_number.h"
 #include "core/session/parameters.h"
 
 namespace chartflood {
@@ -21,8 +22,9 @@ namespace {
 template <typename T>
 std::optional<T> parse(std::string_view text) {
   T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
+  const std::string_view digits = withoutPlus(text);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const bool whole = error == std::errc() && end == digits.data() + digits.size();
   return whole ? std::optional(value) : std::nullopt;
 }
 

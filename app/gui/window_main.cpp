@@ -73,7 +73,7 @@ void beginSession(AppState& state, const WindowOptions& options) {
   session.seeds = withFittingSeeds(saved, {options.parameters, session.seeds, {}}).seeds;
   session.parameters = options.parameters;
   ViewSettings view;
-  applyViewValues(session.view, view);
+  applyViewValues(session.view, view, session.folder);
   view.render = options.render;
   view.camera.up = options.up;
   view.camera.orthographic = options.orthographic;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/io/parse_number.h"
 
 namespace chartflood {
 
@@ -15,11 +16,17 @@ namespace {
 }
 
 template <typename Number>
+bool parseAs(const std::string& text, Number& value) {
+  const std::string_view digits = withoutPlus(text);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return error == std::errc() && end == digits.data() + digits.size() &&
+         std::isfinite(static_cast<double>(value));
+}
+
+template <typename Number>
 bool parsesAs(const std::string& text) {
   Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() &&
-         std::isfinite(static_cast<double>(value));
+  return parseAs(text, value);
 }
 
 bool isOn(std::string_view text) {
@@ -87,17 +94,13 @@ std::string Arguments::text(std::string_view name) const {
 }
 
 double Arguments::number(std::string_view name, double fallback) const {
-  const std::string value = text(name);
   double result = fallback;
-  std::from_chars(value.data(), value.data() + value.size(), result);
-  return result;
+  return parseAs(text(name), result) ? result : fallback;
 }
 
 long Arguments::integer(std::string_view name, long fallback) const {
-  const std::string value = text(name);
   long result = fallback;
-  std::from_chars(value.data(), value.data() + value.size(), result);
-  return result;
+  return parseAs(text(name), result) ? result : fallback;
 }
 
 bool Arguments::flag(std::string_view name, bool fallback) const {

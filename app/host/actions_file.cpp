@@ -1,5 +1,6 @@
 // Actions that bring a mesh in, and the way out.
 
+#include <algorithm>
 #include <system_error>
 
 #include "app/host/action_registry.h"
@@ -67,9 +68,12 @@ void addFileActions(ActionRegistry& registry) {
                 .refusal = {},
                 .run = [](AppState& state, const Arguments& a) {
                   const long triangles = a.integer("triangles");
-                  if (triangles < 0)
-                    throw UsageError("A sample cannot have fewer than 0 triangles.");
-                  const auto count = static_cast<std::size_t>(triangles);
+                  const auto count = static_cast<std::size_t>(std::max(triangles, 0L));
+                  if (triangles < 0 || count > kMostSampleTriangles) {
+                    throw UsageError("A sample has from 1 to " +
+                                     std::to_string(kMostSampleTriangles) +
+                                     " triangles, or 0 for its own number.");
+                  }
                   state.whenSafe(
                       [name = a.text("name"), count](AppState& s) { s.openSample(name, count); });
                 }});

@@ -21,7 +21,8 @@ void AppState::takeSession(Opening& opening) {
   const auto add = [&](std::vector<std::string> more) {
     warnings.insert(warnings.end(), more.begin(), more.end());
   };
-  add(applyViewValues(session.view, view));
+  // What the program saved by itself names what the user had opened.
+  add(applyViewValues(session.view, view, opening.recovered.empty() ? session.folder : "/"));
   const SessionView known = viewValues(view);
   for (auto& [key, value] : session.view) {
     if (!known.contains(key)) unknownView_[key] = value;

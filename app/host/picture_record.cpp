@@ -62,8 +62,7 @@ struct Texts {
 };
 
 Texts readTexts(const std::filesystem::path& file) {
-  ImageTexts texts;
-  readPng(file, &texts);
+  const ImageTexts texts = readPngTexts(file);
   Texts found;
   bool recorded = false;
   for (const auto& [key, value] : texts) {

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/base/error.h"
+#include "core/io/parse_number.h"
 
 namespace chartflood {
 
@@ -54,8 +55,10 @@ Row choiceRow(const char* key, std::string PictureSettings::*member,
 
 int readInteger(std::string_view key, std::string_view text, int least, int most) {
   int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < least || value > most) {
+  const std::string_view digits = withoutPlus(text);
+  const char* const last = digits.data() + digits.size();
+  const auto [end, error] = std::from_chars(digits.data(), last, value);
+  if (error != std::errc() || end != last || value < least || value > most) {
     refuse(key, text,
            "give a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   }

@@ -2,18 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "app/host/checker_picture.h"
 #include "app/host/session_legend.h"
 #include "app/host/session_view_rows.h"
 #include "core/base/error.h"
+#include "core/io/data_uri.h"
+#include "core/io/reference_path.h"
 #include "render/chart_palette.h"
 #include "render/color_map.h"
 
 namespace chartflood {
 
 namespace {
+
+constexpr const char* kCheckerPicture = "checker-picture";
 
 ViewRow switchRow(const char* name, bool RenderSettings::*member) {
   return viewSwitch(name, &ViewSettings::render, member);
@@ -176,7 +181,7 @@ std::vector<ViewRow> checkerRows() {
     return SessionValue(std::string(checkerKindId(view.render.checkerKind)));
   };
   return {{"checker-kind", kind, readCheckerKind},
-          {"checker-picture",
+          {kCheckerPicture,
            [](const ViewSettings& view) { return SessionValue(view.checkerFile); }, readCheckerFile,
            [](const ViewSettings& view) { return !view.checkerFile.empty(); }},
           shareRow("checker-repeats", &RenderSettings::checkerRepeats, 1, kMostCheckerRepeats),
@@ -205,10 +210,40 @@ SessionView viewValues(const ViewSettings& view) {
   return values;
 }
 
-std::vector<std::string> applyViewValues(const SessionView& values, ViewSettings& view) {
+namespace {
+
+/// The value with which a picture may be opened; nothing, with the reason, when it must not be.
+std::optional<SessionValue> pictureInside(const SessionValue& value,
+                                          const std::filesystem::path& folder,
+                                          std::string& refusal) {
+  const std::string* name = std::get_if<std::string>(&value);
+  if (name == nullptr) return value;  // refused by its kind
+  const Reference picture = folder.empty() ? Reference{{}, "was not opened"}
+                                           : findReference(folder, *name);
+  if (picture) return picture.file.string();
+  refusal = "The picture " + shownName(*name) + " on the session's checkerboard " +
+            (folder.empty() ? picture.refusal : "was not opened: it " + picture.refusal) +
+            "; squares are shown in its place.";
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> applyViewValues(const SessionView& values, ViewSettings& view,
+                                         const std::filesystem::path& folder) {
   std::vector<std::string> left;
   const std::vector<ViewRow> rows = viewRows();
-  for (const auto& [name, value] : values) {
+  for (auto [name, value] : values) {
+    if (name == kCheckerPicture) {
+      std::string refusal;
+      const std::optional<SessionValue> inside = pictureInside(value, folder, refusal);
+      if (!inside) {
+        left.push_back(std::move(refusal));
+        if (view.render.checkerKind == CheckerKind::Picture) dropCheckerPicture(view);
+        continue;
+      }
+      value = *inside;
+    }
     const auto row = std::find_if(rows.begin(), rows.end(),
                                   [&key = name](const ViewRow& each) { return key == each.name; });
     if (row == rows.end()) {

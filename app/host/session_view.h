@@ -2,6 +2,7 @@
 /// The view as a session file holds it: named plain values, by the names of the options where
 /// there are some.
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ SessionView viewValues(const ViewSettings& view);
 
 /// Sets what `values` names. With a camera among them the view no longer waits to be framed.
 /// \returns sentences that name what is not known or cannot be used, and was left out.
-std::vector<std::string> applyViewValues(const SessionView& values, ViewSettings& view);
+/// \param folder where a picture that they name must lie, or below; "": none is opened
+std::vector<std::string> applyViewValues(const SessionView& values, ViewSettings& view,
+                                         const std::filesystem::path& folder = {});
 
 }  // namespace chartflood

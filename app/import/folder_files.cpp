@@ -10,7 +10,7 @@
 #include <assimp/IOSystem.hpp>
 
 #include "core/base/error.h"
-#include "core/io/file_bytes.h"
+#include "core/base/file_bytes.h"
 #include "core/io/reference_path.h"
 
 namespace chartflood {

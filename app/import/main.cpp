@@ -1,6 +1,7 @@
 /// chartflood-import EXTENSION FOLDER: reads a mesh file from standard input with the import
-/// library and writes it as bytes to standard output. Called by chartflood; whatever happens in the
-/// library, by accident or by a file made for it, happens here, within limits of memory and time.
+/// library (or Draco, for glTF) and writes it as bytes to standard output. Called by chartflood;
+/// whatever happens in the libraries, by accident or by a file made for it, happens here, within
+/// limits of memory and time.
 
 #include <algorithm>
 #include <cerrno>
@@ -22,10 +23,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "app/import/draco_mesh.h"
 #include "app/import/folder_files.h"
 #include "app/import/scene_mesh.h"
+#include "core/base/error.h"
 #include "core/io/import_limits.h"
 #include "core/io/import_reply.h"
+#include "core/io/read_gltf.h"
 
 namespace {
 
@@ -58,8 +62,7 @@ void limit(int resource, rlim_t value) {
   setrlimit(resource, &now);
 }
 
-void setLimits(std::size_t fileSize) {
-  const ImportLimits limits(fileSize);
+void setLimits(const ImportLimits& limits) {
   // Sanitizers reserve far more addresses than they use.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   limit(RLIMIT_AS, limits.memory);
@@ -111,6 +114,20 @@ ImportReply runImport(std::string_view bytes, const std::string& extension,
   return reply;
 }
 
+/// The own reader with Draco to unpack; its words need no cleaning.
+ImportReply readDraco(std::string_view bytes, const std::string& folder) {
+  ImportReply reply;
+  try {
+    reply.mesh = readGltf({bytes, "it", folder}, decodeDraco);
+    reply.outcome = ImportOutcome::Mesh;
+  } catch (const ReadError& error) {
+    reply.reason = error.cause();
+  } catch (const std::exception& error) {
+    reply.reason = error.what();
+  }
+  return reply;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -120,7 +137,9 @@ int main(int argc, char** argv) {
     return write(STDERR_FILENO, kUsage.data(), kUsage.size()) < 0 ? 1 : 2;
   }
   const auto size = static_cast<std::size_t>(status.st_size);
-  setLimits(size);
+  setLimits(ImportLimits(size, argv[1]));
   const std::vector<char> bytes = readInput(size);
-  answer(runImport({bytes.data(), bytes.size()}, argv[1], argv[2]));
+  const std::string_view content(bytes.data(), bytes.size());
+  answer(argv[1] == kDracoGltf ? readDraco(content, argv[2])
+                               : runImport(content, argv[1], argv[2]));
 }

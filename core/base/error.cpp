@@ -3,6 +3,18 @@
 namespace chartflood {
 
 namespace {
+
+/// Causes may quote what stands in a file, which may be of any length.
+std::string shortened(std::string_view cause) {
+  constexpr std::size_t kLongest = 300;
+  if (cause.size() <= kLongest) return std::string(cause);
+  std::string text(cause.substr(0, kLongest - 2));
+  // Not in the middle of a letter of several bytes.
+  while ((static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+  if (static_cast<unsigned char>(text.back()) >= 0xC0) text.pop_back();
+  return text + "..";
+}
+
 std::string sentence(std::string_view verb, std::string_view file, std::string_view cause) {
   std::string text = "Could not ";
   text.append(verb).append(" ").append(file).append(": ").append(cause);
@@ -12,9 +24,9 @@ std::string sentence(std::string_view verb, std::string_view file, std::string_v
 }  // namespace
 
 ReadError::ReadError(std::string_view file, std::string_view cause)
-    : Error(sentence("read", file, cause)), cause_(cause) {}
+    : Error(sentence("read", file, shortened(cause))), cause_(shortened(cause)) {}
 
 WriteError::WriteError(std::string_view file, std::string_view cause)
-    : Error(sentence("write", file, cause)) {}
+    : Error(sentence("write", file, shortened(cause))) {}
 
 }  // namespace chartflood

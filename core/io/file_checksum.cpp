@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <system_error>
 #include <vector>
+
+#include "core/base/error.h"
+#include "core/base/file_bytes.h"
 
 namespace chartflood {
 
@@ -24,22 +25,23 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
 }  // namespace
 
 std::string fileChecksum(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return "";
-  std::ifstream stream(file, std::ios::binary);
-  std::vector<char> block(kChecksumBlock);
   std::uint64_t hash = 0, bytes = 0;
-  while (stream) {
-    stream.read(block.data(), static_cast<std::streamsize>(kChecksumBlock));
-    const auto count = static_cast<std::size_t>(stream.gcount());
-    bytes += count;
-    for (std::size_t i = 0; i < count; i += 8) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, block.data() + i, std::min<std::size_t>(8, count - i));
-      hash = mixed(hash, word);
+  try {
+    RegularFile opened(file);
+    std::vector<char> block(kChecksumBlock);
+    std::size_t count = kChecksumBlock;
+    while (count == kChecksumBlock) {
+      count = opened.read(block.data(), kChecksumBlock);
+      bytes += count;
+      for (std::size_t i = 0; i < count; i += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, block.data() + i, std::min<std::size_t>(8, count - i));
+        hash = mixed(hash, word);
+      }
     }
+  } catch (const ReadError&) {
+    return "";
   }
-  if (stream.bad() || !stream.eof()) return "";
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(mixed(hash, bytes)));
   return text;

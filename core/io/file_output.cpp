@@ -71,10 +71,16 @@ std::string causeOf(int error) {
 
 /// The file that is to be replaced, behind symbolic links.
 std::filesystem::path resolved(const std::filesystem::path& target) {
+  constexpr int kMostLinks = 40;
   std::error_code error;
-  if (!std::filesystem::is_symlink(target, error)) return target;
-  std::filesystem::path real = std::filesystem::weakly_canonical(target, error);
-  if (error) throw WriteError(target.string(), causeOf(error.value()));
+  std::filesystem::path real = target;
+  // Step by step, because the file at the end need not be there yet.
+  for (int links = 0; std::filesystem::is_symlink(real, error); ++links) {
+    if (links == kMostLinks) throw WriteError(target.string(), causeOf(ELOOP));
+    const std::filesystem::path next = std::filesystem::read_symlink(real, error);
+    if (error) throw WriteError(target.string(), causeOf(error.value()));
+    real = real.parent_path() / next;
+  }
   return real;
 }
 

@@ -22,7 +22,7 @@ enum class ImportOutcome : std::uint32_t {
 struct ImportReply {
   ImportOutcome outcome = ImportOutcome::Refused;
   std::string reason;
-  InputMesh mesh;                    ///< positions, corners and faceStart alone
+  InputMesh mesh;                    ///< positions, corners, faceStart and repairs alone
   std::uint64_t pointsAndLines = 0;  ///< left out
 };
 

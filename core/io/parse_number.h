@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 namespace chartflood {
 
@@ -93,6 +94,13 @@ inline RealResult parseReal(const char* begin, const char* end) {
   value = exponent < 0 ? value / kPowers[static_cast<std::size_t>(-exponent)]
                        : value * kPowers[static_cast<std::size_t>(exponent)];
   return {negative ? -value : value, p, NumberStatus::Ok};
+}
+
+/// The text of a number without the plus before it, which std::from_chars does not take.
+inline std::string_view withoutPlus(std::string_view text) {
+  const bool plus = text.size() > 1 && text[0] == '+' &&
+                    (text[1] == '.' || static_cast<unsigned char>(text[1] - '0') < 10);
+  return plus ? text.substr(1) : text;
 }
 
 /// Reads a whole number with optional sign. Numbers beyond 64 bits are TooLarge.

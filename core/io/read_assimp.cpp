@@ -84,19 +84,31 @@ int blenderVersion(std::string_view bytes) {
               " or later) than the import library knows; export glTF or OBJ from Blender");
 }
 
-/// Why a program that gave no whole answer ended.
-std::string causeOfEnd(int signal, const ImportLimits& limits) {
-  if (signal == SIGXCPU) {
-    return "the import library was stopped after " +
-           counted(static_cast<std::size_t>(limits.work.count()), "second", "seconds") + " of work";
-  }
-  if (signal == 0) return "the import library gave no mesh";
-  return "the import library broke down over it (signal " + std::to_string(signal) + ")";
+/// Who works in the other program.
+std::string worker(std::string_view extension) {
+  return extension == kDracoGltf ? "Draco, which unpacks its geometry," : "the import library";
 }
 
-std::string causeOf(const ImportReply& reply, const ImportLimits& limits) {
+/// What to do about it, as the end of a sentence.
+std::string instead(std::string_view extension) {
+  return extension == kDracoGltf ? "; save it without Draco" : kInstead;
+}
+
+/// Why a program that gave no whole answer ended.
+std::string causeOfEnd(int signal, std::string_view extension, const ImportLimits& limits) {
+  const std::string who = worker(extension);
+  if (signal == SIGXCPU) {
+    return who + " was stopped after " +
+           counted(static_cast<std::size_t>(limits.work.count()), "second", "seconds") + " of work";
+  }
+  if (signal == 0) return who + " gave no mesh";
+  return who + " broke down over it (signal " + std::to_string(signal) + ")";
+}
+
+std::string causeOf(const ImportReply& reply, std::string_view extension,
+                    const ImportLimits& limits) {
   if (reply.outcome == ImportOutcome::OutOfMemory) {
-    return "the import library needs more than " +
+    return worker(extension) + " needs more than " +
            counted(limits.memory >> 20, "megabyte", "megabytes") + " of memory for it";
   }
   const std::string reason = cleaned(reply.reason);
@@ -106,7 +118,7 @@ std::string causeOf(const ImportReply& reply, const ImportLimits& limits) {
 
 ImportReply runImport(const Source& source, std::string_view extension,
                       const std::filesystem::path& program, bool& cancelled) {
-  const ImportLimits limits(source.bytes.size());
+  const ImportLimits limits(source.bytes.size(), extension);
   const auto deadline = std::chrono::steady_clock::now() + limits.wait;
   const std::string folder = source.folder.empty() ? "." : source.folder.string();
   ChildProcess child(program, {std::string(extension), folder}, source.bytes);
@@ -120,35 +132,51 @@ ImportReply runImport(const Source& source, std::string_view extension,
   if (whole || cancelled) return reply;
   if (last == ChildProcess::Read::TooLate) {
     refuse(source, extension,
-           "the import library did not end in " +
+           worker(extension) + " did not end in " +
                counted(static_cast<std::size_t>(limits.wait.count()), "second", "seconds") +
-               kInstead);
+               instead(extension));
   }
   // An answer that contradicts itself is no answer; the program may still be writing it.
   const int signal = last == ChildProcess::Read::Ended ? child.waitForEnd() : 0;
-  refuse(source, extension, causeOfEnd(signal, limits) + kInstead);
+  refuse(source, extension, causeOfEnd(signal, extension, limits) + instead(extension));
+}
+
+/// The program's answer; nothing when it was cancelled.
+std::optional<ImportReply> replyOf(const Source& source, std::string_view extension) {
+  const std::string words = std::string("the program ") + kImportProgram + ", which reads " +
+                            (extension == kDracoGltf ? std::string("glTF that Draco compressed")
+                                                     : "." + std::string(extension));
+  const std::optional<std::filesystem::path> program = importProgram();
+  if (!program) source.fail(words + ", is not beside this one; install chartflood anew");
+  bool cancelled = false;
+  try {
+    ImportReply reply = runImport(source, extension, *program, cancelled);
+    if (cancelled) return std::nullopt;
+    return reply;
+  } catch (const std::system_error& error) {
+    source.fail(words + ", could not be started (" + std::strerror(error.code().value()) +
+                "); try again");
+  }
 }
 
 }  // namespace
 
+InputMesh readDracoGltf(const Source& source) {
+  std::optional<ImportReply> reply = replyOf(source, kDracoGltf);
+  if (!reply) return {};
+  if (reply->outcome == ImportOutcome::Mesh) return std::move(reply->mesh);
+  if (reply->outcome == ImportOutcome::Refused) source.fail(reply->reason);
+  source.fail(causeOf(*reply, kDracoGltf, ImportLimits(source.bytes.size(), kDracoGltf)) +
+              instead(kDracoGltf));
+}
+
 InputMesh readAssimp(const Source& source, std::string_view extension) {
-  const std::optional<std::filesystem::path> program = importProgram();
-  if (!program) {
-    source.fail(std::string("the program ") + kImportProgram + ", which reads ." +
-                std::string(extension) + ", is not beside this one; install chartflood anew");
-  }
-  bool cancelled = false;
-  ImportReply reply;
-  try {
-    reply = runImport(source, extension, *program, cancelled);
-  } catch (const std::system_error& error) {
-    source.fail(std::string("the program ") + kImportProgram + ", which reads ." +
-                std::string(extension) + ", could not be started (" +
-                std::strerror(error.code().value()) + "); try again");
-  }
-  if (cancelled) return {};
+  std::optional<ImportReply> answer = replyOf(source, extension);
+  if (!answer) return {};
+  ImportReply& reply = *answer;
   if (reply.outcome != ImportOutcome::Mesh) {
-    refuse(source, extension, causeOf(reply, ImportLimits(source.bytes.size())) + kInstead);
+    const ImportLimits limits(source.bytes.size(), extension);
+    refuse(source, extension, causeOf(reply, extension, limits) + kInstead);
   }
   if (reply.mesh.faceCount() == 0) refuse(source, extension, "it has no faces");
   if (reply.pointsAndLines > 0) {

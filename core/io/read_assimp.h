@@ -20,4 +20,9 @@ namespace chartflood {
 /// \throws ReadError when the library refuses it, breaks down over it or exceeds a limit
 InputMesh readAssimp(const Source& source, std::string_view extension);
 
+/// Reads glTF whose geometry Draco compressed, as readGltf() reads others: Draco fills memory over
+/// data made for that, so it runs in the same program with the same limits.
+/// \throws ReadError
+InputMesh readDracoGltf(const Source& source);
+
 }  // namespace chartflood

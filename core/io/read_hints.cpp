@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/file_bytes.h"
+#include "core/base/file_bytes.h"
 #include "core/io/source.h"
 #include "core/io/text_rows.h"
 
@@ -34,7 +34,8 @@ Index standIn(const Mesh& mesh, std::int64_t vertex) {
 }  // namespace
 
 EdgeHints readHints(const std::filesystem::path& file, const Mesh& mesh) {
-  const FileBytes bytes(file);
+  constexpr FileLimit kLimit{std::size_t{1'000'000'000}, "a list of edges"};
+  const FileBytes bytes(file, kLimit);
   const Source source{bytes.view(), file.string()};
   source.requireText("list of edges");
   const std::vector<std::pair<Index, Index>> edges = edgesOf(mesh);

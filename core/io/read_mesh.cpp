@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/io/file_bytes.h"
+#include "core/base/file_bytes.h"
 #include "core/io/mesh_formats.h"
 #include "core/io/read_3mf.h"
 #include "core/io/read_assimp.h"

@@ -94,6 +94,10 @@ class EdgeSearch {
 std::span<const SampleInfo> sampleTable() { return kSamples; }
 
 std::shared_ptr<const InputMesh> makeSample(std::string_view id, std::size_t triangles) {
+  if (triangles > kMostSampleTriangles) {
+    throw UsageError("A sample of " + std::to_string(triangles) + " triangles cannot be made: " +
+                     std::to_string(kMostSampleTriangles) + " are the most.");
+  }
   for (std::size_t i = 0; i < kSamples.size(); ++i) {
     if (id != kSamples[i].id) continue;
     const std::size_t wanted = triangles == 0 ? kSamples[i].defaultTriangles : triangles;

@@ -9,6 +9,7 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/io/parse_number.h"
 #include "core/model/build_mesh.h"
 
 namespace chartflood {
@@ -87,8 +88,7 @@ void checkChoice(const ParameterInfo& info, const std::string& value) {
 
 template <typename T>
 T parseNumber(const ParameterInfo& info, std::string_view text) {
-  std::string_view digits = text;
-  if (digits.starts_with('+')) digits.remove_prefix(1);
+  const std::string_view digits = withoutPlus(text);
   T value{};
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::result_out_of_range) refuse(info, text, "is out of range");

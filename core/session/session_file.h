@@ -44,6 +44,8 @@ struct SessionFile {
   std::map<std::string, SessionValue> view;
   /// The session file that this one continues when it was saved by itself; "": none.
   std::filesystem::path continues;
+  /// Where the file lies: other files that it names, beside the model, must be there or below.
+  std::filesystem::path folder;
   std::string unknown;                ///< JSON of what this version does not know, written back
   std::vector<std::string> warnings;  ///< sentences of reading: what was left out
 };

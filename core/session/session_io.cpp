@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/io/file_bytes.h"
+#include "core/base/file_bytes.h"
 #include "core/io/samples.h"
 
 namespace chartflood {
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
 constexpr int kDeepest = 32;  // of nested values: ours have 3
-constexpr std::size_t kLargestFile = std::size_t{256} << 20;
+constexpr std::size_t kLargestFile = 256'000'000;  // bytes
 
 // Writing.
 
@@ -197,6 +197,11 @@ SessionModel readModel(Reader& reader, const std::string& session, ModelPlaces& 
     });
     if (!known) {
       throw ReadError(session, "its sample '" + model.sample + "' is not known here");
+    }
+    if (model.triangles > kMostSampleTriangles) {
+      throw ReadError(session, "its sample is to have " + std::to_string(model.triangles) +
+                                   " triangles; give a number from 1 to " +
+                                   std::to_string(kMostSampleTriangles));
     }
   }
   return model;
@@ -376,6 +381,8 @@ void keepUnknown(SessionFile& session, const Json& top,
 template <class Find>
 SessionFile readText(std::string_view text, const std::string& name, const Find& find) {
   SessionFile session;
+  session.folder = std::filesystem::path(name).parent_path();
+  if (session.folder.empty()) session.folder = ".";
   Reader top(parseText(text, name), "", session.warnings);
   checkVersion(top.take("chartflood-session"), name);
   Reader model(top.part("model", false), "model/", session.warnings);
@@ -422,11 +429,7 @@ std::string sessionText(const SessionFile& session, const std::filesystem::path&
 
 SessionFile readSession(const std::filesystem::path& file) {
   const std::string name = file.string();
-  std::error_code error;
-  if (const auto bytes = std::filesystem::file_size(file, error); !error && bytes > kLargestFile) {
-    throw ReadError(name, "it is too large for a session file");
-  }
-  const FileBytes content(file);
+  const FileBytes content(file, {kLargestFile, "a session"});
   return readText(content.view(), name,
                   [&](const ModelPlaces& places) { return findModel(places, file); });
 }

@@ -150,5 +150,32 @@ TEST_F(SessionsInBatch, TheViewGoesIntoThePicture) {
   EXPECT_EQ(file("b.png"), file("a.png"));
 }
 
+TEST_F(SessionsInBatch, NoFileClaimsMoreThanItMay) {
+  const std::string cases = CHARTFLOOD_SOURCE_ROOT "/tests/cases/";
+  writeMesh(6);
+  const auto refused = [&](const std::vector<std::string>& words) {
+    const ProgramRun result = run(words);
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+    return result.errors;
+  };
+  EXPECT_THAT(refused({"--report=r.json", cases + "session-two-billion-triangles.chartflood"}),
+              HasSubstr("give a number from 1 to 50000000"));
+  for (const char* bomb : {"bomb-huge.png", "bomb-size.png"}) {
+    EXPECT_THAT(refused({"--output=o.png", cases + bomb}), HasSubstr("16384 x 16384 are the most"));
+    EXPECT_THAT(refused({"--output=o.png", "--like=" + cases + bomb, "m.obj"}),
+                HasSubstr("16384 x 16384 are the most"));
+  }
+}
+
+TEST_F(SessionsInBatch, APlusBeforeANumberIsReadEverywhere) {
+  done({"--sample=bumps", "--triangles=+2000", "--charts=+5", "--rng-seed=+5", "--seeds=+5,900",
+        "--sharp-angle=+40", "--save-session=s.chartflood", "--steps=+900"});
+  EXPECT_EQ(session("s.chartflood")["parameters"]["rng-seed"], 5);
+  for (const char* word : {"--charts=+-5", "--charts=++5", "--charts=+", "--steps=+-5"}) {
+    EXPECT_EQ(run({"--sample=bumps", word, "--report=r.json"}).exitCode, 2) << word;
+  }
+}
+
 }  // namespace
 }  // namespace chartflood

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <gtest/gtest.h>
 
 #include "app/host/chart_swap.h"
@@ -172,7 +173,7 @@ TEST_F(OwnPicture, ADroppedOneLiesOnTheChartsUntilItIsTakenOff) {
   EXPECT_TRUE(state().hasMesh());  // the model stayed
   const SessionView values = viewValues(state().view);
   ViewSettings read;
-  EXPECT_THAT(applyViewValues(values, read), IsEmpty());
+  EXPECT_THAT(applyViewValues(values, read, folder.path()), IsEmpty());
   ASSERT_TRUE(read.render.checkerPicture);
   EXPECT_EQ(*read.render.checkerPicture, *render.checkerPicture);
   EXPECT_EQ(read.render.checkerKind, CheckerKind::Picture);
@@ -194,8 +195,50 @@ TEST_F(OwnPicture, ABrokenOneIsToldAndChangesNothing) {
   SessionView values = viewValues(state().view);
   values["checker-picture"] = (folder / "gone.png").string();
   ViewSettings read;
-  EXPECT_EQ(applyViewValues(values, read).size(), 1u);
+  EXPECT_EQ(applyViewValues(values, read, folder.path()).size(), 1u);
   EXPECT_FALSE(read.render.checkerPicture);
+}
+
+TEST_F(OwnPicture, ASessionOpensNoneOutsideOfItsFolder) {
+  run("open " + (folder / "green.png").string());
+  SessionView values = viewValues(state().view);
+  std::filesystem::create_directories(folder / "sessions/pictures");
+  std::filesystem::copy_file(folder / "green.png", folder / "sessions/pictures/a.png");
+  const auto left = [&](const std::string& name) {
+    values["checker-picture"] = name;
+    ViewSettings read;
+    const std::vector<std::string> words = applyViewValues(values, read, folder / "sessions");
+    EXPECT_EQ(read.render.checkerPicture == nullptr, !words.empty()) << name;
+    EXPECT_EQ(read.render.checkerKind == CheckerKind::Picture, words.empty()) << name;
+    return words.empty() ? "" : words[0];
+  };
+  EXPECT_EQ(left("pictures/a.png"), "");
+  EXPECT_EQ(left((folder / "sessions/pictures/a.png").string()), "");
+  EXPECT_EQ(left("../green.png"),
+            "The picture ../green.png on the session's checkerboard was not opened: it lies outside "
+            "of the file's folder; put it beside the file or below; squares are shown in its place.");
+  EXPECT_THAT(left((folder / "green.png").string()), HasSubstr("lies outside"));
+  std::filesystem::create_symlink("../green.png", folder / "sessions/link.png");
+  EXPECT_THAT(left("link.png"), HasSubstr("lies outside"));
+  ASSERT_EQ(::mkfifo((folder / "sessions/pipe.png").c_str(), 0600), 0);
+  EXPECT_THAT(left("pipe.png"), HasSubstr("is a pipe"));
+  std::filesystem::copy_file(std::filesystem::path(CHARTFLOOD_CASES) / "bomb-size.png",
+                             folder / "sessions/bomb.png");
+  EXPECT_EQ(left("bomb.png"),
+            "The session's value of 'view/checker-picture' cannot be used and was left out.");
+}
+
+TEST_F(OwnPicture, HugeOnesAreOneSentenceAndChangeNothing) {
+  const RenderSettings before = state().view.render;
+  for (const char* name : {"bomb-huge.png", "bomb-size.png"}) {
+    const std::string file = (std::filesystem::path(CHARTFLOOD_CASES) / name).string();
+    for (const std::string& line : {"open " + file, "checker-picture " + file}) {
+      EXPECT_FALSE(run(line)) << line;
+      EXPECT_THAT(state().notices.toasts().back().text, HasSubstr("16384 x 16384 are the most"));
+      EXPECT_EQ(state().view.render, before);
+      EXPECT_TRUE(state().hasMesh());
+    }
+  }
 }
 
 }  // namespace

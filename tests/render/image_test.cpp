@@ -1,10 +1,15 @@
 #include "render/image.h"
 #include "render/read_picture.h"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <stb/stb_image_write.h>
 
 #include "core/base/error.h"
@@ -136,6 +141,65 @@ TEST_F(PictureFiles, LargeOnesAreHalvedUntilTheyFit) {
   EXPECT_EQ(read.width(), 2250);
   EXPECT_EQ(read.height(), 1);
   EXPECT_EQ(read.at(1000, 0), (Rgba8{50, 60, 70, 255}));
+}
+
+/// The most memory that this program has had so far, in MB.
+long peakMegabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024;
+}
+
+TEST_F(PictureFiles, WhatClaimsMoreThanItCanHoldIsRefusedBeforeMemoryIsAskedFor) {
+  const auto causes = [](const std::filesystem::path& picture) {
+    std::vector<std::string> all;
+    try {
+      readPicture(picture);
+    } catch (const ReadError& error) {
+      all.push_back(error.cause());
+    }
+    try {
+      readPngTexts(picture);
+    } catch (const ReadError& error) {
+      all.push_back(error.cause());
+    }
+    return all;
+  };
+  const long before = peakMegabytes();
+  const std::filesystem::path cases = CHARTFLOOD_CASES;
+  const std::string most = " pixels, and 16384 x 16384 are the most; save it smaller";
+  EXPECT_EQ(causes(cases / "bomb-huge.png"),
+            std::vector<std::string>(2, "it says that it has 900000 x 900000" + most));
+  EXPECT_EQ(causes(cases / "bomb-size.png"),
+            std::vector<std::string>(2, "it says that it has 25000 x 25000" + most));
+  // 16128 x 16128 would be allowed, but not in so few bytes.
+  std::vector<std::uint8_t> claim = encodePng(Image(4, 4, {1, 2, 3, 255}));
+  claim[18] = claim[22] = 63;
+  claim[19] = claim[23] = 0;
+  // The checksum of the changed head: 8 bits, red, green, blue.
+  constexpr std::array<std::uint8_t, 4> kChecksum = {0x51, 0x50, 0x81, 0x24};
+  for (std::size_t i = 0; i < 4; ++i) claim[29 + i] = kChecksum[i];
+  EXPECT_EQ(causes(file("claim.png", claim)),
+            std::vector<std::string>(2, "it says that it has 16128 x 16128 pixels, more than so "
+                                        "short a file can hold; save it anew"));
+  EXPECT_LT(peakMegabytes() - before, 64);
+}
+
+TEST_F(PictureFiles, OnlyRegularFilesAreOpened) {
+  ASSERT_EQ(::mkfifo((folder / "pipe.png").c_str(), 0600), 0);
+  for (const std::filesystem::path& no :
+       {folder / "pipe.png", std::filesystem::path("/dev/zero"), folder.path()}) {
+    EXPECT_THROW(readPicture(no), ReadError) << no;
+    EXPECT_THROW(readPng(no), ReadError) << no;
+    EXPECT_THROW(readPngTexts(no), ReadError) << no;
+  }
+}
+
+TEST_F(PictureFiles, TextsAreReadWithoutThePixels) {
+  std::vector<std::uint8_t> bytes = encodePng(Image(40, 40, {9, 9, 9, 255}), {{"Key", "value"}});
+  bytes.resize(bytes.size() - 30);
+  const ImageTexts texts = readPngTexts(file("cut.png", bytes));
+  EXPECT_EQ(texts, (ImageTexts{{"Key", "value"}}));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/stat.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -272,6 +274,37 @@ TEST_F(SessionFiles, ChecksumsTellFilesApart) {
   other[2'999'999] = 'b';
   EXPECT_NE(sum(large), sum(other));
   EXPECT_EQ(fileChecksum(folder_.path() / "none"), "");
+}
+
+TEST_F(SessionFiles, ASampleHasTheLimitsOfTheCommandLine) {
+  const std::filesystem::path file =
+      std::filesystem::path(CHARTFLOOD_CASES) / "session-two-billion-triangles.chartflood";
+  try {
+    readSession(file);
+    ADD_FAILURE() << "was taken";
+  } catch (const ReadError& error) {
+    EXPECT_EQ(error.cause(), "its sample is to have 2000000000 triangles; give a number from 1 to "
+                             "50000000");
+  }
+  write(R"({"chartflood-session": 1, "model": {"sample": "bumps", "triangles": 50000000}})");
+  EXPECT_EQ(readSession(target()).model.triangles, 50'000'000u);
+}
+
+TEST_F(SessionFiles, DeepNestingIsRefused) {
+  const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+  EXPECT_THAT(refusal(R"({"chartflood-session": 1, "extra": )" + deep + "}"),
+              HasSubstr("it is not a session file"));
+  EXPECT_THAT(refusal(deep), HasSubstr("it is not a session file"));
+  EXPECT_THAT(refusal(std::string(200'000, '[')), HasSubstr("it is not"));
+}
+
+TEST_F(SessionFiles, OnlyRegularFilesAreOpened) {
+  ASSERT_EQ(::mkfifo((folder_.path() / "pipe.chartflood").c_str(), 0600), 0);
+  for (const std::filesystem::path& file :
+       {folder_.path() / "pipe.chartflood", std::filesystem::path("/dev/zero"), folder_.path()}) {
+    EXPECT_THROW(readSession(file), ReadError) << file;
+    EXPECT_EQ(fileChecksum(file), "");
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "core/base/error.h"
+#include "core/base/file_bytes.h"
 #include "core/io/mesh_formats.h"
 #include "core/io/read_mesh.h"
 #include "io_support.h"
@@ -38,7 +39,7 @@ TEST(FileErrors, FileBelowAFile) {
 TEST(FileErrors, Folder) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "a.obj");
-  EXPECT_EQ(causeOf(folder.path() / "a.obj"), "it is a folder; name a mesh file in it");
+  EXPECT_EQ(causeOf(folder.path() / "a.obj"), "it is a folder; name a file in it");
 }
 
 TEST(FileErrors, LinkThatLeadsNowhere) {
@@ -72,6 +73,30 @@ TEST(FileErrors, NoPermission) {
   const auto file = folder.write("a.obj", "v 0 0 0\n");
   ASSERT_EQ(::chmod(file.c_str(), 0), 0);
   EXPECT_EQ(causeOf(file), "you have no permission to read it");
+}
+
+TEST(FileErrors, LargerThanItsKindMayBe) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.txt", std::string(3000, 'x'));
+  EXPECT_EQ(FileBytes(file, {3000, "a list"}).view().size(), 3000u);
+  std::filesystem::resize_file(file, 3'000'000'000);  // takes no room on the disk
+  try {
+    FileBytes(file, {2'000'000, "a list"});
+    ADD_FAILURE() << "was read";
+  } catch (const ReadError& e) {
+    EXPECT_EQ(e.cause(), "it is too large for a list: it has 3000 MB, and 2 MB is the most");
+  }
+}
+
+TEST(FileErrors, CausesAreShort) {
+  EXPECT_EQ(ReadError("a", std::string(300, 'x')).cause().size(), 300u);
+  EXPECT_EQ(ReadError("a", std::string(301, 'x')).cause(), std::string(298, 'x') + "..");
+  std::string umlauts;
+  while (umlauts.size() < 400) umlauts += "\xc3\xa4";
+  const std::string cut = ReadError("a", umlauts).cause();
+  EXPECT_EQ(cut, umlauts.substr(0, cut.size() - 2) + "..");
+  EXPECT_EQ(cut.size() % 2, 0u);
+  EXPECT_LE(cut.size(), 300u);
 }
 
 TEST(FileErrors, NameTooLong) {

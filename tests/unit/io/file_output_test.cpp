@@ -98,6 +98,22 @@ TEST(StagedFile, LeavesTheOldFileUntilCommitted) {
   EXPECT_EQ(readWholeFile(folder.path() / "b.txt"), "second");
 }
 
+TEST(FileOutput, ALinkToAFileThatIsNotThereStaysALink) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "sub");
+  std::filesystem::create_symlink("sub/second", folder / "first");
+  std::filesystem::create_symlink("real.txt", folder / "sub/second");
+  writeFileAtomically(folder / "first", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "first"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "sub/second"));
+  EXPECT_EQ(readWholeFile(folder / "sub/real.txt"), "new");
+  std::filesystem::create_symlink("no-such-folder/a.txt", folder / "lost");
+  EXPECT_THROW(writeFileAtomically(folder / "lost", "new"), WriteError);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "lost"));
+  std::filesystem::create_symlink("circle", folder / "circle");
+  EXPECT_THROW(writeFileAtomically(folder / "circle", "new"), WriteError);
+}
+
 TEST(WriteLabels, GivesOneLineAnInputFaceInItsOrder) {
   const auto mesh = buildBytes("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
                                         "f 1 2\nf 1 2 3 4\nf 2 5 6\nf 2 2 3\nf 2 6 3\n");

@@ -36,6 +36,7 @@ ImportReply quadAndTriangle() {
   reply.mesh.corners = {0, 1, 2, 3, 1, 4, 2};
   reply.mesh.faceStart = {0, 4, 7};
   reply.pointsAndLines = 3;
+  reply.mesh.repairs = {{"poses-ignored", 2, "Two poses."}, {"", 0, ""}};
   return reply;
 }
 
@@ -48,6 +49,10 @@ TEST(ImportReply, ComesOutAsItWentIn) {
   EXPECT_EQ(out.mesh.corners, in.mesh.corners);
   EXPECT_EQ(out.mesh.faceStart, in.mesh.faceStart);
   EXPECT_EQ(out.pointsAndLines, 3u);
+  ASSERT_EQ(out.mesh.repairs.size(), 2u);
+  EXPECT_EQ(out.mesh.repairs[0].what, "poses-ignored");
+  EXPECT_EQ(out.mesh.repairs[0].count, 2u);
+  EXPECT_EQ(out.mesh.repairs[0].text, "Two poses.");
   ImportReply refusal;
   refusal.reason = "no such thing";
   ASSERT_TRUE(readBytesOfReply(bytesOfReply(refusal), out));

@@ -116,14 +116,14 @@ TEST(ReadGltf, RefusesWhatLiesOutsideOfTheFile) {
   };
   EXPECT_EQ(refusal("/accessors/0/count", 5), "its accessor 0 is longer than its buffer view");
   EXPECT_EQ(refusal("/accessors/0/count", 4000000000u),
-            "its accessor 0 counts more elements than the file can hold");
+            "its accessor 0 is longer than its buffer view");
   EXPECT_EQ(refusal("/accessors/0/byteOffset", 4), "its accessor 0 is longer than its buffer view");
   EXPECT_EQ(refusal("/bufferViews/0/byteLength", 1000),
             "its accessor 0 lies in a buffer view that is longer than its buffer");
   EXPECT_EQ(refusal("/accessors/0/bufferView", 7),
             "its accessor 0 names a buffer view that does not exist");
   EXPECT_EQ(refusal("/meshes/0/primitives/0/indices", 7),
-            "it is not valid glTF: primitive indices accessor out of bounds");
+            "it names accessor 7 but there are 2");
   EXPECT_EQ(refusal("/nodes/0/mesh", 3), "it names mesh 3 but there are 1");
   EXPECT_EQ(refusal("/scenes/0/nodes", {4}), "it names node 4 but there are 1");
   EXPECT_EQ(refusal("/nodes/0/children", {0}), "its node 0 hangs below two nodes or below itself");
@@ -131,16 +131,6 @@ TEST(ReadGltf, RefusesWhatLiesOutsideOfTheFile) {
             "a face names vertex 3 but there are 3 (counted from 0)");
   EXPECT_EQ(refusal("/accessors/1/componentType", 5122),
             "its accessor 1 gives vertex numbers that are not unsigned whole numbers");
-}
-
-TEST(ReadGltf, RefusesExtensionsThatChangeTheGeometry) {
-  json document = square();
-  document["extensionsRequired"] = {"KHR_materials_unlit"};
-  EXPECT_EQ(readBytes("a.glb", glb(document))->faceCount(), 2u);
-  document["extensionsRequired"] = {"EXT_meshopt_compression"};
-  EXPECT_EQ(refusalOf("a.glb", glb(document)),
-            "it needs the glTF extension \"EXT_meshopt_compression\", which is not supported; save "
-            "it without compression or instancing");
 }
 
 TEST(ReadGltf, RefusesDeepNestingBeforeParsing) {
@@ -154,7 +144,7 @@ TEST(ReadGltf, ReadsBuffersBesideTheFileOnly) {
   document["asset"]["version"] = "2.0";
   document["buffers"] = {{{"byteLength", 56}, {"uri", "square%20data.bin"}}};
   EXPECT_EQ(refusalOf("a.gltf", document.dump()),
-            "its buffer square data.bin is not in the same folder");
+            "its buffer square data.bin is not in the file's folder");
   const TemporaryFolder folder;
   const std::string whole = glb(square());
   folder.write("square data.bin", whole.substr(whole.size() - 56));
