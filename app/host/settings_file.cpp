@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/io/file_bytes.h"
+#include "core/base/file_bytes.h"
 #include "core/io/file_output.h"
 
 namespace chartflood {

@@ -24,7 +24,7 @@ namespace chartflood {
 namespace {
 
 /// Vertices and corners that repeating meshes may come to: a few bytes can ask for any number.
-constexpr std::size_t kMostRepeated = 200'000'000;
+constexpr std::size_t kMostInCopies = 200'000'000;
 
 class GltfReader {
  public:
@@ -196,8 +196,8 @@ bool GltfReader::addMesh(std::size_t number, const Transforms& transforms) {
   const std::size_t size = geometry.positions.size() + geometry.corners.size();
   const std::size_t again = transforms.size() - (placed_[number] ? 0 : 1);
   placed_[number] = true;
-  if (size > 0 && again > (kMostRepeated - repeated_) / size) {
-    source_.fail("repeating its meshes comes to more than " + std::to_string(kMostRepeated) +
+  if (size > 0 && again > (kMostInCopies - repeated_) / size) {
+    source_.fail("repeating its meshes comes to more than " + std::to_string(kMostInCopies) +
                  " vertices and corners; save fewer instances");
   }
   repeated_ += again * size;

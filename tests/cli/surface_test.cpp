@@ -16,6 +16,8 @@ namespace chartflood {
 namespace {
 
 using nlohmann::json;
+using test::ExportedObj;
+using test::parseObj;
 
 const std::filesystem::path kData = std::filesystem::path(CHARTFLOOD_SOURCE_ROOT) / "tests/data";
 

@@ -21,8 +21,7 @@
 namespace chartflood {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-const UnwrapOptions kFree{UnwrapOptions::Boundary::Free, 1.5};
+const UnwrapOptions kFreeWithSlits{UnwrapOptions::Boundary::Free, 1.5};
 
 /// L2 stretch of a chart (Sander 2001) in long numbers, with nothing of the program.
 double stretchOf(const ChartSurface& s, const std::vector<glm::dvec2>& uv) {
@@ -62,7 +61,7 @@ UnwrapResult unwrapInto(const std::shared_ptr<const Mesh>& mesh, int charts) {
   session.step(StepUnit::Converged);
   Progress progress;
   const auto cut = cutCharts(*mesh, *session.results()->segmentation, {}, progress);
-  return unwrapCharts(*mesh, cut, kFree, progress);
+  return unwrapCharts(*mesh, cut, kFreeWithSlits, progress);
 }
 
 /// Every chart isometric by the program's figures and by ours, one-to-one, nothing left out.
@@ -174,7 +173,7 @@ TEST(Thin, TrianglesWithoutAreaAreCountedAndDoNotWeigh) {
   // The middle of the side between the two triangles is a corner of a third one without area.
   const auto mesh = test::meshOf({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, -1, 0}},
                                  {{0, 3, 2}, {3, 1, 2}, {0, 1, 3}, {0, 4, 1}});
-  const UnwrapResult result = test::unwrapWhole(*mesh, kFree);
+  const UnwrapResult result = test::unwrapWhole(*mesh, kFreeWithSlits);
   const ChartUv& chart = result.unwrap->charts[0];
   ASSERT_EQ(chart.problem, "");
   EXPECT_EQ(chart.distortion.shapeless, 1u);
@@ -185,7 +184,7 @@ TEST(Thin, TrianglesWithoutAreaAreCountedAndDoNotWeigh) {
 /// A hill, with a vertex more in each of some triangles: `height` above a side, near its end.
 std::shared_ptr<const Mesh> hillWithSlivers(double height) {
   const auto hill = test::surfaceOver(24, 24, false, [](double u, double v) {
-    return glm::dvec3(u, v, 0.25 * std::sin(kPi * u) * std::sin(kPi * v));
+    return glm::dvec3(u, v, 0.25 * std::sin(std::numbers::pi * u) * std::sin(std::numbers::pi * v));
   });
   std::vector<glm::dvec3> positions(hill->positions().begin(), hill->positions().end());
   test::Polygons faces;
@@ -204,11 +203,11 @@ std::shared_ptr<const Mesh> hillWithSlivers(double height) {
 }
 
 TEST(Thin, SliversInACurvedChartDoNoHarm) {
-  const UnwrapResult smooth = test::unwrapWhole(*hillWithSlivers(0), kFree);
+  const UnwrapResult smooth = test::unwrapWhole(*hillWithSlivers(0), kFreeWithSlits);
   const double without = smooth.unwrap->charts[0].distortion.l2;
   for (const double height : {1e-5, 1e-7, 1e-10}) {
     SCOPED_TRACE(height);
-    const UnwrapResult result = test::unwrapWhole(*hillWithSlivers(height), kFree);
+    const UnwrapResult result = test::unwrapWhole(*hillWithSlivers(height), kFreeWithSlits);
     const ChartUv& chart = result.unwrap->charts[0];
     ASSERT_EQ(chart.problem, "");
     EXPECT_NEAR(chart.distortion.l2, without, 2e-3);
