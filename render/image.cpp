@@ -115,11 +115,13 @@ void requireSanePicture(std::size_t width, std::size_t height, std::size_t mostP
                         const std::string& file) {
   const std::string claim = "it says that it has " + std::to_string(width) + " x " +
                             std::to_string(height) + " pixels";
-  const std::size_t most = std::min(kMostPixels, mostPixelsOfBytes);
-  if (width == 0 || height <= most / width) return;
-  throw ReadError(file, most == kMostPixels
-                            ? claim + ", and 16384 x 16384 are the most; save it smaller"
-                            : claim + ", more than so short a file can hold; save it anew");
+  const auto isAbove = [&](std::size_t most) { return width != 0 && height > most / width; };
+  if (isAbove(kMostPixels)) {
+    throw ReadError(file, claim + ", and 16384 x 16384 are the most; save it smaller");
+  }
+  if (isAbove(mostPixelsOfBytes)) {
+    throw ReadError(file, claim + ", more than so short a file can hold; save it anew");
+  }
 }
 
 std::vector<std::uint8_t> encodePng(const Image& image, const ImageTexts& texts) {
