@@ -170,6 +170,7 @@ bool readCheckerFile(ViewSettings& view, const SessionValue& value) {
   try {
     setCheckerPicture(*file, view);
   } catch (const ReadError&) {
+    dropCheckerPicture(view);  // squares, instead of a picture that is not there
     return false;
   }
   view.render.checkerKind = kind;
