@@ -65,6 +65,7 @@ TEST(Report, HasEveryKeyOfTheFormat) {
                                   "chart_runs",
                                   "per_chart",
                                   "search",
+                                  "triangles_without_area",
                                   "timing_ms"}));
   EXPECT_EQ(keysOf(result["gauss_area"]),
             (Keys{"total", "vertices", "edges", "faces", "mean", "std_eq3", "std", "std_over_mean",
@@ -79,7 +80,7 @@ TEST(Report, HasEveryKeyOfTheFormat) {
   EXPECT_EQ(keysOf(result["per_chart"][0]),
             (Keys{"chart", "seed_face", "faces", "area", "gauss_area", "perimeter", "euler",
                   "boundary_loops", "disk", "cut_length", "l2_stretch", "linf_stretch",
-                  "area_distortion", "angle_distortion", "flipped"}));
+                  "area_distortion", "angle_distortion", "flipped", "triangles_without_area"}));
 }
 
 /// Calls `visit` for every number below.

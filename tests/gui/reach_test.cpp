@@ -114,7 +114,7 @@ TEST(Reach, AMenuEntryIsReachedByArrowsAndRunByEnter) {
 TEST(Reach, EveryParameterRowHasItsTooltipAndOption) {
   HeadlessFrame ui({1280, 4000});
   ui.openFlooded("sphere", 300);
-  for (const char* group : {"Borders", "Cutting", "Unwrap", "Stopping", "Method"}) {
+  for (const char* group : {"Model", "Borders", "Cutting", "Unwrap", "Stopping", "Method"}) {
     ui.click(std::string("section/") + group);
     ui.frames(2);
   }

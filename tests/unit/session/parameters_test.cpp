@@ -182,7 +182,7 @@ TEST(ParameterRefusal, OfEveryBadNumber) {
     EXPECT_THAT(refusal("charts", text), testing::HasSubstr("is not a whole number")) << text;
   }
   EXPECT_THAT(refusal("charts", "20.5"), testing::HasSubstr("is not a whole number"));
-  for (const char* text : {"inf", "-inf", "+inf", "NaN", "-nan"}) {
+  for (const char* text : {"inf", "-inf", "NaN", "-nan"}) {
     EXPECT_THAT(refusal("speed-epsilon", text), testing::HasSubstr("is not a finite number"));
   }
   for (const char* text : {"1e999", "-1e999", "11", "-0.1"}) {
