@@ -117,7 +117,8 @@ TEST(TriangulatePolygon, CoversConcaveOutlines) {
   expectRight(outlineOf({{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}));
   expectRight(outlineOf({{0, 0}, {1, 1}, {2, 0}, {1, 3}}));
   std::mt19937 random(11);
-  for (int round = 0; round < 200; ++round) expectRight(outlineOf(star(5 + random() % 60, random)));
+  for (int round = 0; round < 200; ++round)
+    expectRight(outlineOf(star(static_cast<Index>(5 + random() % 60), random)));
 }
 
 TEST(TriangulatePolygon, CoversHolesBehindSlits) {
@@ -147,11 +148,11 @@ TEST(TriangulatePolygon, CoversHolesBehindSlits) {
 TEST(TriangulatePolygon, CoversRandomOutlinesWithSlits) {
   std::mt19937 random(23);
   for (int round = 0; round < 200; ++round) {
-    std::vector<glm::dvec2> points = star(6 + random() % 40, random);
+    std::vector<glm::dvec2> points = star(static_cast<Index>(6 + random() % 40), random);
     // A small hole around the centre, run through clockwise, from any corner of the outline.
     const std::size_t from = random() % points.size();
     std::vector<glm::dvec2> hole;
-    const Index sides = 3 + random() % 9;
+    const Index sides = static_cast<Index>(3 + random() % 9);
     const double start = std::atan2(points[from].y, points[from].x);
     for (Index i = 0; i < sides; ++i) {
       const double angle = start - 2 * std::numbers::pi * i / sides;
