@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -84,10 +85,10 @@ TEST(Surface, ACubeOfEnginesIsOnePart) {
 
 /// The triangles or polygons of an OBJ as ASCII PLY.
 std::string plyOf(const ExportedObj& obj) {
-  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(obj.vertices.size()) +
-                     "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                     std::to_string(obj.faces.size()) +
-                     "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex " + std::to_string(obj.vertices.size()) +
+      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+      std::to_string(obj.faces.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
   for (const auto& [x, y, z] : obj.vertices) {
     for (const double c : {x, y, z}) {
       char digits[40];
