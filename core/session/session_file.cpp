@@ -46,7 +46,13 @@ SessionContent sessionContent(const SessionFile& session, const Mesh& mesh,
                               const std::string& checksum) {
   SessionContent content;
   content.document.parameters = session.parameters;
-  content.document.hints = session.hints;
+  for (const EdgeHint& hint : session.hints) {
+    // Vertices that were joined have one name, whichever the session knows them by.
+    const auto name = [&](Index v) {
+      return v < mesh.input().positions.size() ? mesh.standIn(v) : v;
+    };
+    addHint(content.document.hints, name(hint.a), name(hint.b), hint.kind);
+  }
   const std::string& wanted = session.model.checksum;
   const bool changed = !wanted.empty() && !checksum.empty() && wanted != checksum;
   if (changed) {

@@ -36,6 +36,16 @@ TEST(ReadHints, OfEitherKindInAnyOrder) {
   EXPECT_EQ(hintsIn("# none\n", *mesh), EdgeHints{});
 }
 
+TEST(ReadHints, KnowsJoinedVerticesByEitherNumber) {
+  // Two squares side by side, each with vertices of its own.
+  const auto mesh = test::meshOf(
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}},
+      {{0, 1, 2, 3}, {4, 5, 6, 7}});
+  EXPECT_EQ(hintsIn("cut 1 2\n", *mesh), (EdgeHints{{1, 2, HintKind::Cut}}));
+  EXPECT_EQ(hintsIn("cut 7 4\n", *mesh), (EdgeHints{{1, 2, HintKind::Cut}}));
+  EXPECT_EQ(hintsIn("never 4 5\n", *mesh), (EdgeHints{{1, 5, HintKind::Never}}));
+}
+
 TEST(ReadHints, RefusesWhatIsNone) {
   EXPECT_THAT(refusal("cut 0 99"), testing::HasSubstr("line 1 names vertices 0 and 99"));
   EXPECT_THAT(refusal("cut 0 0"), testing::HasSubstr("no edge"));
