@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 namespace chartflood {
 
@@ -17,7 +18,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 /// More events than needed do no harm, so arcs are taken for longer than they are.
 constexpr double kArcSlack = 1e-9;
 /// An arc whose circle's normal has less to the north lies along a meridian.
-constexpr double kMeridian = 1e-200;
+constexpr double kMeridian = 1e-140;
 /// Areas that differ by less are equal.
 constexpr double kEqualAreas = 1e-9;
 
@@ -68,9 +69,9 @@ struct SphereArc {
   bool spans(double longitude, double slack) const {
     return wrapped(longitude - begin + slack) <= width + 2 * slack;
   }
-  /// Tangent of the latitude.
-  double height(double longitude) const {
-    return -(normal.x * std::cos(longitude) + normal.y * std::sin(longitude)) / normal.z;
+  /// Tangent of the latitude on a meridian.
+  double height(const glm::dvec2& meridian) const {
+    return -(normal.x * meridian.x + normal.y * meridian.y) / normal.z;
   }
 };
 
@@ -120,8 +121,10 @@ std::vector<double> eventsOf(const std::vector<SphereArc>& arcs) {
   return events;
 }
 
-glm::dvec3 pointAt(double longitude, double height) {
-  return glm::normalize(glm::dvec3(std::cos(longitude), std::sin(longitude), height));
+glm::dvec2 meridianAt(double longitude) { return {std::cos(longitude), std::sin(longitude)}; }
+
+glm::dvec3 pointAt(const glm::dvec2& meridian, double height) {
+  return glm::dvec3(meridian, height) / std::sqrt(1 + height * height);
 }
 
 /// The arcs of the present slice by height; kept from slice to slice, where it hardly changes.
@@ -136,16 +139,18 @@ std::map<long, double> areaByWinding(const std::vector<SphereArc>& arcs) {
   const std::vector<double> events = eventsOf(arcs);
   std::vector<ArcCrossing> slice;
   for (std::size_t e = 0; e + 1 < events.size(); ++e) {
-    const double west = events[e], east = events[e + 1], middle = west + (east - west) / 2;
+    const double width = events[e + 1] - events[e], middle = events[e] + width / 2;
+    const glm::dvec2 west = meridianAt(events[e]), east = meridianAt(events[e + 1]);
+    const glm::dvec2 between = meridianAt(middle);
     slice.clear();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
-      if (arcs[i].spans(middle, 0)) slice.push_back({arcs[i].height(middle), i});
+      if (arcs[i].spans(middle, 0)) slice.push_back({arcs[i].height(between), i});
     }
     std::sort(slice.begin(), slice.end(), [](const ArcCrossing& a, const ArcCrossing& b) {
       return a.height != b.height ? a.height < b.height : a.arc < b.arc;
     });
     long winding = 0;
-    double below = 2 * (east - west);  // from the bottom of the band to the north pole
+    double below = 2 * width;  // from the bottom of the band to the north pole
     for (const ArcCrossing& crossing : slice) {
       const SphereArc& arc = arcs[crossing.arc];
       const double above = signedTriangleArea({0, 0, 1}, pointAt(west, arc.height(west)),
