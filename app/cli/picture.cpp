@@ -202,8 +202,8 @@ Image drawTexture(const Results& results, const PictureOptions& options,
 ImageTexts pictureTexts(const Results& results) {
   std::string changed;
   for (const ParameterInfo& info : parameterTable()) {
+    if (isDefault(results.parameters, info)) continue;
     const ParameterValue value = parameterValue(results.parameters, info);
-    if (value == parameterDefault(info)) continue;
     changed += (changed.empty() ? "--" : " --") + std::string(info.id) + "=" + parameterText(value);
   }
   const std::filesystem::path file = results.mesh->input().file;

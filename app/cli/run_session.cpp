@@ -133,7 +133,7 @@ void placeSeeds(Session& session, const Invocation& call) {
     document.seeds.push_back({face});
   }
   const int count = static_cast<int>(document.seeds.size());
-  if (!call.chartsGiven) document.parameters.charts = count;
+  if (!call.chartsGiven) askCharts(document.parameters, count);
   if (document.parameters.charts < count) {
     throw UsageError("--seeds names " + std::to_string(count) +
                      " faces, but --charts=" + std::to_string(document.parameters.charts) +
@@ -158,7 +158,7 @@ void findChartCount(Session& session, const Invocation& call) {
   waitForSession(session, call);
   const RunSet& set = *session.results()->chartRuns;
   Document document = session.document();
-  document.parameters.charts = static_cast<int>(set.runs[set.chosen].charts);
+  askCharts(document.parameters, set.runs[set.chosen].parameters.charts);
   session.setDocument(document, false);
   waitForSession(session, call);
 }

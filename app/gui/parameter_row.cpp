@@ -221,8 +221,9 @@ void barSlider(const Ui& ui, const BarSlider& slider, float width) {
 }
 
 void parameterRow(const Ui& ui, const ParameterInfo& info) {
-  const ParameterValue value = parameterValue(ui.state.document().parameters, info);
-  const bool changed = value != parameterDefault(info);
+  const Parameters shown = inForce(ui.state.document().parameters, ui.state.results().features);
+  const ParameterValue value = parameterValue(shown, info);
+  const bool changed = !isDefault(ui.state.document().parameters, info);
   const bool dice = std::string_view(info.id) == "rng-seed";
   const float side = ImGui::GetFrameHeight();
   const RowLayout row(ui, dice ? side + ui.px(4) : 0);

@@ -29,7 +29,7 @@ void countCreases(AppState& state) {
   const std::size_t count = creaseRegions(*now.mesh, *now.gaussArea).count;
   if (count < 2) throw Refusal("No creases divide this model: its pieces are up to you.");
   Document document = state.document();
-  document.parameters.charts = static_cast<int>(count);
+  askCharts(document.parameters, static_cast<int>(count));
   if (document.parameters.method == "t-flooding") document.parameters.start = "creases";
   document.seeds.clear();
   state.playback.follow();

@@ -50,14 +50,24 @@ void setOption(AppState& state, const std::string& id, const std::string& text, 
   state.changeDocument(document, changeName(state, info, document.parameters), id, dragging);
 }
 
+void resetOption(AppState& state, const ParameterInfo& info) {
+  Document document = state.document();
+  resetParameter(document.parameters, info);
+  state.changeDocument(document, changeName(state, info, document.parameters), info.id, false);
+}
+
 void changeAll(AppState& state, const Parameters& parameters, std::string name) {
   Document document = state.document();
   document.parameters = parameters;
   state.changeDocument(document, std::move(name), "all", false);
 }
 
+int chartsNow(const AppState& state) {
+  return inForce(state.document().parameters, state.results().features).charts;
+}
+
 void addCharts(AppState& state, int difference) {
-  const int charts = std::max(1, state.document().parameters.charts + difference);
+  const int charts = std::max(1, chartsNow(state) + difference);
   setOption(state, "charts", std::to_string(charts), false);
 }
 
@@ -78,8 +88,7 @@ void addParameterActions(ActionRegistry& registry) {
                 .arguments = {{"option", ArgumentType::Text, "its name on the command line"}},
                 .refusal = {},
                 .run = [](AppState& state, const Arguments& a) {
-                  const ParameterInfo& info = parameterRow(a.text("option"));
-                  setOption(state, info.id, parameterText(parameterDefault(info)), false);
+                  resetOption(state, parameterRow(a.text("option")));
                 }});
   registry.add(
       {.id = "reset-all",
@@ -116,7 +125,7 @@ void addParameterActions(ActionRegistry& registry) {
                 .help = "Cuts the model into one piece less.",
                 .arguments = {},
                 .refusal = [](const AppState& state) -> std::string {
-                  return state.document().parameters.charts <= 1 ? "One chart is the least." : "";
+                  return chartsNow(state) <= 1 ? "One chart is the least." : "";
                 },
                 .run = [](AppState& state, const Arguments&) { addCharts(state, -1); }});
   registry.bind("-", "fewer-charts");

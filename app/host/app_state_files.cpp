@@ -170,9 +170,9 @@ std::string commandLine(const AppState& state, const Document& document, const R
                         bool withFolder) {
   std::string text = "chartflood";
   for (const ParameterInfo& info : parameterTable()) {
-    const ParameterValue value = parameterValue(document.parameters, info);
-    if (value == parameterDefault(info)) continue;
-    text += std::string(" --") + info.id + '=' + parameterText(value);
+    if (isDefault(document.parameters, info)) continue;
+    text += std::string(" --") + info.id + '=' +
+            parameterText(parameterValue(document.parameters, info));
   }
   if (!document.seeds.empty()) {
     std::string faces;

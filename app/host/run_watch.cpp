@@ -61,11 +61,12 @@ void RunWatch::update(AppState& state) {
 void useChartRun(AppState& state, std::size_t run) {
   const Run& tried = state.results().chartRuns->runs[run];
   Document document = state.document();
-  document.parameters.charts = static_cast<int>(tried.charts);
+  // A model in parts has more charts than were asked for.
+  askCharts(document.parameters, tried.parameters.charts);
   const std::string name = std::to_string(tried.charts) + " charts";
   Stage stage = Stage::Layout;
   Parameters asTried = tried.parameters;
-  asTried.charts = document.parameters.charts;  // a model in parts has more than were asked for
+  asTried.chartsAsked = true;
   const bool differs = firstDifference(asTried, document.parameters, stage);
   if (differs && stage <= Stage::Refine) {
     state.playback.follow();

@@ -52,7 +52,7 @@ void requireOther(const Mesh& mesh, const Seeds& seeds, std::size_t seed) {
 void change(AppState& state, Seeds seeds, std::string name, const std::string& key,
             bool dragging = false) {
   Document document = state.document();
-  document.parameters.charts = static_cast<int>(seeds.size());
+  askCharts(document.parameters, static_cast<int>(seeds.size()));
   document.seeds = std::move(seeds);
   state.playback.follow();
   state.changeDocument(document, std::move(name), key, dragging);

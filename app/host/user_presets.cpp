@@ -24,8 +24,7 @@ UserPreset userPresetOf(std::string name, const Parameters& parameters) {
   for (const ParameterInfo& info : parameterTable()) {
     const std::string_view id = info.id;
     const ParameterValue value = parameterValue(parameters, info);
-    const bool kept = id == "charts" || value != parameterDefault(info);
-    if (kept && id != "rng-seed") preset.values.emplace_back(info.id, parameterText(value));
+    if (!isDefault(parameters, info) && id != "rng-seed") preset.values.emplace_back(info.id, parameterText(value));
   }
   return preset;
 }
@@ -33,6 +32,7 @@ UserPreset userPresetOf(std::string name, const Parameters& parameters) {
 Parameters applyUserPreset(const Parameters& base, const UserPreset& preset, std::string& warning) {
   Parameters result;
   result.charts = base.charts;
+  result.chartsAsked = base.chartsAsked;
   result.rngSeed = base.rngSeed;
   std::string left;
   for (const auto& [id, text] : preset.values) {

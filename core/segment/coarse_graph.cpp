@@ -175,12 +175,9 @@ CoarseGraph makeCoarseGraph(const NodeGraphSource& source, FaceClusters clusters
 }
 
 std::vector<Index> placeCoarseSeeds(const CoarseGraph& graph, std::size_t components,
-                                    std::size_t count, std::span<const Index> given, Rng& rng) {
-  std::vector<double> weight(components, 0);
-  for (Index n = 0; n < graph.nodeCount(); ++n) {
-    weight[graph.component[n]] += static_cast<double>(graph.nodes.flood.gain[n]);
-  }
-  return spreadSeeds(NodeDual{graph}, graph.component, components, count, given, weight, rng);
+                                    std::size_t count, std::span<const Index> given,
+                                    const PartShares& shares, Rng& rng) {
+  return spreadSeeds(NodeDual{graph}, graph.component, components, count, given, shares, rng);
 }
 
 }  // namespace chartflood

@@ -11,6 +11,7 @@
 #include "core/base/rng.h"
 #include "core/segment/face_clusters.h"
 #include "core/segment/node_graph.h"
+#include "core/segment/part_shares.h"
 
 namespace chartflood {
 
@@ -36,6 +37,7 @@ CoarseGraph makeCoarseGraph(const NodeGraphSource& source, FaceClusters clusters
 /// Seeds far apart as by placeSeeds(), nodes for faces. \pre there are `count` nodes, and the given
 /// ones are distinct
 std::vector<Index> placeCoarseSeeds(const CoarseGraph& graph, std::size_t components,
-                                    std::size_t count, std::span<const Index> given, Rng& rng);
+                                    std::size_t count, std::span<const Index> given,
+                                    const PartShares& shares, Rng& rng);
 
 }  // namespace chartflood

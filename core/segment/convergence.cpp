@@ -11,7 +11,8 @@ StopReason Convergence::round(std::span<const Index> seeds, std::span<const Inde
     best_ = lastGain_ = number;
     bestBadness_ = badness;
   }
-  if (!rules_.offsetsChange && rules_.detectCycles) {
+  const bool seedsTell = !rules_.offsetsChange || rules_.settlePatience == 0;
+  if (seedsTell && rules_.detectCycles) {
     if (std::equal(seeds.begin(), seeds.end(), nextSeeds.begin(), nextSeeds.end())) {
       return StopReason::Converged;
     }

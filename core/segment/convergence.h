@@ -12,8 +12,9 @@
 namespace chartflood {
 
 /// The three stop rules: a cycle of seeds, the limit of rounds, no better balance for n rounds.
-/// While offsets change between rounds the state is more than the seeds, so that resting or
-/// returning seeds end the loop only with offsets off.
+/// The first is the paper's, which asks for seeds alone. Where offsets change between rounds and
+/// may settle, it does not count: the state is more than the seeds then, and resting seeds are what
+/// settling begins with.
 ///
 /// Beyond the paper: when moving seeds no longer helps, the rounds may go on from the best one with
 /// its seeds at rest, balancing by offsets alone ("settling"), until that does not help either.

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kSmallest = 0.002;  // share of the surface that a region needs
 // Of a model that creases divide:
-constexpr std::size_t kFewest = 4;      // parts
+constexpr std::size_t kDivisions = 3;   // parts that creases add to separate ones, at least
 constexpr double kLargestShare = 0.6;   // share of the largest part
 constexpr double kLargestCurved = 0.4;  // the same where that is curved
 constexpr double kInLarge = 0.95;       // share of the surface in parts that are not small
@@ -124,7 +124,7 @@ CreaseRegions creaseRegions(const Mesh& mesh, const GaussArea& gauss) {
 
 bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss) {
   const CreaseRegions parts = smoothParts(mesh, gauss);
-  if (parts.count < kFewest) return false;
+  if (parts.count < mesh.componentCount() + kDivisions) return false;
   const double surface = mesh.surfaceArea();
   const std::vector<double> area = regionAreas(mesh, parts);
   const FaceValues faceGauss = faceGaussArea(mesh, gauss);
@@ -149,19 +149,27 @@ bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss) {
 
 CreaseRegions chartsFromCreases(const Mesh& mesh, const GaussArea& gauss,
                                 std::span<const double> faceGauss, CreaseRegions regions,
-                                std::size_t charts, Rng& rng) {
+                                std::size_t charts, Rng& rng, std::span<const std::size_t> most,
+                                std::span<const Index> partner) {
   if (regions.count > charts) {
     RegionGraph graph(mesh, regions.label, regions.count);
-    while (graph.count() > charts && graph.joinBest()) {
+    while (graph.count() > charts &&
+           ((!partner.empty() && graph.joinLone()) || graph.joinBest())) {
     }
     std::vector<Index> label(regions.label);
     for (Index& l : label) l = graph.regionNow(l);
     return numbered(label, regions.count);
   }
-  ChartSplitter splitter(mesh, gauss, faceGauss, std::move(regions.label), regions.count);
-  while (splitter.count() < charts && splitter.splitNext(rng)) {
+  // Quads are parted once all charts are single ones.
+  for (const std::span<const Index> together : {partner, std::span<const Index>()}) {
+    ChartSplitter splitter(mesh, gauss, faceGauss, std::move(regions.label), regions.count,
+                           {together, most});
+    while (splitter.count() < charts && splitter.splitNext(rng)) {
+    }
+    regions = numbered(splitter.labels(), splitter.count());
+    if (together.empty() || regions.count == charts) break;
   }
-  return numbered(splitter.labels(), splitter.count());
+  return regions;
 }
 
 }  // namespace chartflood

@@ -26,7 +26,7 @@ CreaseRegions creaseRegions(const Mesh& mesh, const GaussArea& gauss);
 
 /// True when sharp edges divide the model by themselves, as they do machine parts. Of the parts
 /// that no path leaves without crossing a sharp edge
-/// - there are at least 4, the largest holds at most 60 % of the surface, and at most 40 % when it
+/// - there are at least 3 more than separate parts, the largest holds at most 60 % of the surface, and at most 40 % when it
 /// is
 ///   curved as much as a quarter of a sphere: a soft body with hard details has to be divided by
 ///   its curvature;
@@ -39,8 +39,13 @@ bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss);
 /// first, until there are `charts` (as far as separate parts allow).
 /// \param faceGauss faceGaussArea() of the mesh
 /// \param rng where splits begin to look for faces far from each other
+/// \param most as in PartShares; empty: no limit
+/// \param partner as quadPartners() has it: single triangles are joined first, and quads are parted
+/// when nothing else is left; empty: faces are alike
 CreaseRegions chartsFromCreases(const Mesh& mesh, const GaussArea& gauss,
                                 std::span<const double> faceGauss, CreaseRegions regions,
-                                std::size_t charts, Rng& rng);
+                                std::size_t charts, Rng& rng,
+                                std::span<const std::size_t> most = {},
+                                std::span<const Index> partner = {});
 
 }  // namespace chartflood

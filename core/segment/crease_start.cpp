@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/base/check.h"
@@ -10,6 +11,9 @@
 #include "core/segment/border_refiner.h"
 #include "core/segment/chart_areas.h"
 #include "core/segment/crease_regions.h"
+#include "core/segment/flat_regions.h"
+#include "core/segment/part_shares.h"
+#include "core/segment/revolution.h"
 #include "core/segment/seeds.h"
 
 namespace chartflood {
@@ -18,7 +22,13 @@ namespace {
 
 constexpr double kBalanceShare = 0.01;
 constexpr double kCreaseShare = 1.0 / 3;
+constexpr double kDiagonal = 4;  // length of a quad's diagonal against its sides'
 constexpr std::size_t kPublish = 1024;  // faces
+
+/// Whether sharp edges divide the model by themselves.
+bool followsCreases(const Mesh& mesh, const GaussArea& gauss) {
+  return dividedByCreases(mesh, gauss) || ringsBetweenCreases(mesh, gauss);
+}
 
 class CreaseStart final : public Stepper {
  public:
@@ -26,9 +36,7 @@ class CreaseStart final : public Stepper {
       : in_(inputs), options_(options), faceGauss_(faceGaussArea(*in_.mesh, *in_.gaussArea)) {
     const std::size_t charts = effectiveChartCount(*in_.mesh, options.charts);
     Rng rng(options.rngSeed);
-    CreaseRegions regions =
-        chartsFromCreases(*in_.mesh, *in_.gaussArea, faceGauss_,
-                          creaseRegions(*in_.mesh, *in_.gaussArea), charts, rng);
+    CreaseRegions regions = firstCharts(charts, rng);
     label_ = std::move(regions.label);
     seeds_ = startSeeds_ = middles(label_, regions.count);
     offsets_.assign(seeds_.size(), 0);
@@ -103,6 +111,39 @@ class CreaseStart final : public Stepper {
 
  private:
   enum class Phase { Growing, Grown, Done };
+
+  /// Charts before their borders are refined.
+  CreaseRegions firstCharts(std::size_t charts, Rng& rng) {
+    const Mesh& mesh = *in_.mesh;
+    const GaussArea& gauss = *in_.gaussArea;
+    const PartShares shares =
+        partShares(mesh, gauss, faceGauss_, in_.floodGraph->eta, options_.charts);
+    std::optional<FlatParts> flat = flatParts(mesh, charts);
+    const bool planes = flat && (flat->regions.count <= charts || !followsCreases(mesh, gauss));
+    CreaseRegions regions = planes ? std::move(flat->regions) : creaseRegions(mesh, gauss);
+    const bool joined = regions.count >= charts;
+    if (flat && !options_.refine.sideFactor && joined) options_.refine.kind = RefineKind::None;
+    if (flat && !joined) holdQuads(flat->partner);
+    std::span<const Index> partner;
+    if (flat) partner = flat->partner;
+    return chartsFromCreases(mesh, gauss, faceGauss_, std::move(regions), charts, rng, shares.most,
+                             partner);
+  }
+
+  /// Makes the diagonals of quads dearer than the way around them.
+  void holdQuads(std::span<const Index> partner) {
+    const Mesh& mesh = *in_.mesh;
+    auto factor = options_.refine.sideFactor
+                      ? std::make_shared<std::vector<double>>(*options_.refine.sideFactor)
+                      : std::make_shared<std::vector<double>>(mesh.opposite().size(), 1.0);
+    for (Index s = 0; s < factor->size(); ++s) {
+      if (mesh.opposite()[s] == kNone) continue;
+      if (partner[mesh.faceOf(s / 3)] == mesh.faceOf(mesh.opposite()[s] / 3)) {
+        (*factor)[s] *= kDiagonal;
+      }
+    }
+    options_.refine.sideFactor = std::move(factor);
+  }
 
   void tellSeeds() const {
     if (options_.onFlood) options_.onFlood({record_, 0, seeds_, offsets_, {}, options_.rngSeed});
@@ -224,8 +265,9 @@ std::unique_ptr<Stepper> makeCreaseStart(const SegmentInputs& inputs,
   return std::make_unique<CreaseStart>(inputs, options);
 }
 
-bool suitsCreaseStart(const SegmentInputs& inputs) {
-  return dividedByCreases(*inputs.mesh, *inputs.gaussArea);
+bool suitsCreaseStart(const SegmentInputs& inputs, std::size_t charts) {
+  return hasFlatParts(*inputs.mesh, effectiveChartCount(*inputs.mesh, charts)) ||
+         followsCreases(*inputs.mesh, *inputs.gaussArea);
 }
 
 }  // namespace chartflood

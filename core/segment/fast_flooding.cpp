@@ -98,7 +98,9 @@ class FastFlooding final : public FloodRounds {
       : FloodRounds("t-flooding", inputs, options) {
     checkSeeds(mesh(), options.seeds);
     const std::size_t charts =
-        effectiveChartCount(mesh(), std::max(options.charts, options.seeds.size()));
+        effectiveChartCount(mesh(), options.charts, options.seeds.size());
+    shares_ = partShares(mesh(), *inputs.gaussArea, faceGauss(), inputs.floodGraph->eta,
+                         options.charts);
     fast_ = options.fast;
     coarse_ = makeCoarseGraph(source(), clustersWith(options.seeds, charts));
     const std::vector<Index> given = nodesOf(options.seeds);
@@ -107,7 +109,7 @@ class FastFlooding final : public FloodRounds {
     }
     std::sort(locked_.begin(), locked_.end());
     Rng rng(options.rngSeed);
-    plan_ = planFrom(placeCoarseSeeds(coarse_, mesh().componentCount(), charts, given, rng),
+    plan_ = planFrom(placeCoarseSeeds(coarse_, mesh().componentCount(), charts, given, shares_, rng),
                      options.offsets);
     coarseFlood_ = std::make_unique<NodeFlood>(mesh(), coarse_.nodes, charts);
     if (fast_.band.size() == charts) {
@@ -306,6 +308,7 @@ class FastFlooding final : public FloodRounds {
     const std::size_t most = options().maxIterations;
     SegmentOptions coarse = options();
     coarse.patience = coarsePatience(coarse.patience);
+    if (coarse.useOffsets && coarse.settle > 0) coarse.detectCycles = false;
     coarse.settle = 0;  // the band evens out better than clusters at rest can
     return {coarse, std::max<std::size_t>(1, most - std::min(most, bandRoundsOf(most))),
             std::move(seeds), std::move(offsets)};
@@ -331,7 +334,7 @@ class FastFlooding final : public FloodRounds {
   CoarseRound runCoarse(std::size_t charts, Progress& progress) const {
     Rng rng(options().rngSeed + kSeedStep);
     RoundPlan plan =
-        planFrom(placeCoarseSeeds(coarse_, mesh().componentCount(), charts, {}, rng), {});
+        planFrom(placeCoarseSeeds(coarse_, mesh().componentCount(), charts, {}, shares_, rng), {});
     NodeFlood flood(mesh(), coarse_.nodes, charts);
     CoarseRound best;
     while (!progress.cancelled()) {
@@ -370,6 +373,7 @@ class FastFlooding final : public FloodRounds {
     bandFlood_ = std::make_unique<NodeFlood>(mesh(), base_->band.nodes, base_->seeds.size());
   }
 
+  PartShares shares_;
   CoarseGraph coarse_;
   std::vector<Index> locked_;     ///< nodes
   RoundPlan plan_;                ///< nodes; in the band it rests where the base was flooded from
@@ -396,7 +400,7 @@ class FastFlooding final : public FloodRounds {
 
 bool searchesFast(const Mesh& mesh, const SegmentOptions& options) {
   const std::size_t charts =
-      effectiveChartCount(mesh, std::max(options.charts, options.seeds.size()));
+      effectiveChartCount(mesh, options.charts, options.seeds.size());
   return options.search == SearchKind::Fast && mesh.faceCount() >= kFastFacesPerChart * charts;
 }
 

@@ -164,7 +164,7 @@ class Mcgim final : public GrowthMethod {
 std::unique_ptr<Stepper> makeMcgim(const SegmentInputs& inputs, const SegmentOptions& options) {
   const GrowthStart first = firstGrowthStart(inputs, options);
   const std::size_t charts = effectiveChartCount(
-      *inputs.mesh, std::max({options.charts, options.seeds.size(), first.seeds.size()}));
+      *inputs.mesh, options.charts, std::max(options.seeds.size(), first.seeds.size()));
   return makeGrowthRounds("mcgim", inputs, options,
                           std::make_unique<Mcgim>(inputs.mesh, options, charts), first, charts);
 }

@@ -36,6 +36,10 @@ RegionGraph::RegionGraph(const Mesh& mesh, std::span<const Index> label, std::si
   const SeamLevel level = buildSeamLevel(mesh, tables, {label.begin(), label.end()}, regions);
   area_ = level.area;
   euler_ = level.euler;
+  triangles_.assign(regions, 0);
+  for (Index f = 0; f < label.size(); ++f) {
+    triangles_[label[f]] += mesh.triangleBegin(f + 1) - mesh.triangleBegin(f);
+  }
   for (Index r = 0; r < regions; ++r) {
     into_[r] = r;
     for (Index arc = level.arcBegin[r]; arc < level.arcBegin[r + 1]; ++arc) {
@@ -69,11 +73,15 @@ double RegionGraph::score(Index a, Index b, const Border& border) const {
          0.4 * growth - 0.3 * bend;
 }
 
-bool RegionGraph::joinBest() {
+bool RegionGraph::joinBest() { return join(false); }
+bool RegionGraph::joinLone() { return join(true); }
+
+bool RegionGraph::join(bool loneOnly) {
   std::pair<Index, Index> best;
   double highest = 0;
   bool found = false;
   for (const auto& [pair, border] : borders_) {
+    if (loneOnly && triangles_[pair.first] > 1 && triangles_[pair.second] > 1) continue;
     const double s = score(pair.first, pair.second, border);
     if (found && !(s > highest)) continue;
     best = pair;
@@ -88,6 +96,7 @@ void RegionGraph::join(Index a, Index b) {
   const Border between = borders_[{a, b}];
   euler_[a] = eulerOfBoth(a, b, between);
   area_[a] += area_[b];
+  triangles_[a] += triangles_[b];
   borders_.erase({a, b});
   std::map<std::pair<Index, Index>, Border> joined;
   for (const auto& [pair, border] : borders_) {

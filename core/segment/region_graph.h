@@ -1,6 +1,7 @@
 #pragma once
 /// Regions of a surface that are joined pair by pair, as in a drawing where lines are rubbed out.
 
+#include <cstddef>
 #include <map>
 #include <span>
 #include <utility>
@@ -23,6 +24,8 @@ class RegionGraph {
   ///
   /// false when no two regions touch.
   bool joinBest();
+  /// The same among the pairs of which one is a single triangle; false when there is none.
+  bool joinLone();
   /// Where a region of the beginning is now.
   Index regionNow(Index region) const { return into_[region]; }
 
@@ -33,6 +36,7 @@ class RegionGraph {
     int euler = 0;    ///< what the Euler number gains when it goes, corners left out
     int corners = 0;  ///< corners where just these two regions meet
   };
+  bool join(bool loneOnly);
   double score(Index a, Index b, const Border& border) const;
   int eulerOfBoth(Index a, Index b, const Border& border) const;
   void join(Index a, Index b);
@@ -43,6 +47,7 @@ class RegionGraph {
   std::vector<Index> into_;
   std::vector<double> area_;
   std::vector<int> euler_;
+  std::vector<Index> triangles_;
   std::map<std::pair<Index, Index>, Border> borders_;  ///< smaller number first
   std::vector<std::vector<Index>> corners_;            ///< regions at vertices with three or more
 };

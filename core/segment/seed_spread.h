@@ -12,6 +12,7 @@
 #include "core/base/index.h"
 #include "core/base/rng.h"
 #include "core/flood/min_heap.h"
+#include "core/segment/part_shares.h"
 
 namespace chartflood {
 
@@ -130,16 +131,17 @@ class SeedDistances {
 /// Says which component gets the next seed.
 class SeedShares {
  public:
-  SeedShares(const ComponentFaces& order, std::span<const double> weight)
-      : order_(order), weight_(weight), seeds_(weight.size(), 0) {}
+  SeedShares(const ComponentFaces& order, const PartShares& shares)
+      : order_(order), shares_(shares), seeds_(shares.weight.size(), 0) {}
 
   void count(std::size_t component) { ++seeds_[component]; }
   void begin() {
     for (std::size_t c = 0; c < seeds_.size(); ++c) offer(c);
   }
-  /// The component with the largest weight per seed that has a face to spare, lowest on ties.
+  /// The component with the largest weight per seed that has a face to spare, lowest on ties; those
+  /// with all they may have come last.
   std::size_t next() {
-    const std::size_t component = queue_.top().second;
+    const std::size_t component = queue_.top().component;
     queue_.pop();
     count(component);
     offer(component);
@@ -149,19 +151,27 @@ class SeedShares {
  private:
   void offer(std::size_t component) {
     if (seeds_[component] >= order_.count(component)) return;
-    queue_.emplace(weight_[component] / static_cast<double>(seeds_[component]), component);
+    const std::size_t seeds = seeds_[component];
+    const bool full = !shares_.most.empty() && seeds >= shares_.most[component];
+    const double weight = shares_.weight[component] / static_cast<double>(seeds);
+    queue_.push({full, weight, component});
   }
+  struct Share {
+    bool full;
+    double weight;
+    std::size_t component;
+  };
   struct LowestOnTies {
-    using Share = std::pair<double, std::size_t>;
     bool operator()(const Share& a, const Share& b) const {
-      return a.first != b.first ? a.first < b.first : a.second > b.second;
+      if (a.full != b.full) return a.full;
+      return a.weight != b.weight ? a.weight < b.weight : a.component > b.component;
     }
   };
 
   const ComponentFaces& order_;
-  std::span<const double> weight_;
+  const PartShares& shares_;
   std::vector<std::size_t> seeds_;
-  std::priority_queue<LowestOnTies::Share, std::vector<LowestOnTies::Share>, LowestOnTies> queue_;
+  std::priority_queue<Share, std::vector<Share>, LowestOnTies> queue_;
 };
 
 /// One random face in each component without a seed, components in their order.
@@ -182,15 +192,14 @@ inline void seedBareComponents(std::span<const Index> component, const Component
 template <class Dual>
 std::vector<Index> spreadSeeds(const Dual& dual, std::span<const Index> component,
                                std::size_t components, std::size_t count,
-                               std::span<const Index> given,
-                               std::span<const double> componentWeight, Rng& rng) {
+                               std::span<const Index> given, const PartShares& weights, Rng& rng) {
   std::vector<Index> seeds(given.begin(), given.end());
   if (seeds.empty()) seeds.push_back(rng.below(static_cast<std::uint32_t>(component.size())));
   const ComponentFaces order(component, components);
   seedBareComponents(component, order, rng, seeds);
   if (seeds.size() >= count) return seeds;
   SeedDistances<Dual> distances(dual, order);
-  SeedShares shares(order, componentWeight);
+  SeedShares shares(order, weights);
   for (const Index seed : seeds) {
     distances.add(seed);
     shares.count(component[seed]);

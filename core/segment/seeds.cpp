@@ -60,8 +60,8 @@ class FaceDual {
 
 }  // namespace
 
-std::size_t effectiveChartCount(const Mesh& mesh, std::size_t requested) {
-  return std::min(std::max(requested, mesh.componentCount()), mesh.faceCount());
+std::size_t effectiveChartCount(const Mesh& mesh, std::size_t requested, std::size_t seeds) {
+  return std::min(std::max(countWithParts(mesh, requested).charts, seeds), mesh.faceCount());
 }
 
 void checkSeeds(const Mesh& mesh, std::span<const Index> given) {
@@ -81,10 +81,10 @@ void checkSeeds(const Mesh& mesh, std::span<const Index> given) {
 }
 
 std::vector<Index> placeSeeds(const Mesh& mesh, std::size_t count, std::span<const Index> given,
-                              std::span<const double> componentWeight, Rng& rng) {
+                              const PartShares& shares, Rng& rng) {
   checkSeeds(mesh, given);
   return spreadSeeds(FaceDual(mesh), mesh.faceComponent(), mesh.componentCount(), count, given,
-                     componentWeight, rng);
+                     shares, rng);
 }
 
 }  // namespace chartflood

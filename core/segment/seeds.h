@@ -6,11 +6,14 @@
 
 #include "core/base/rng.h"
 #include "core/model/mesh.h"
+#include "core/segment/part_shares.h"
 
 namespace chartflood {
 
-/// Number of charts in force: every component needs one, no more than there are faces.
-std::size_t effectiveChartCount(const Mesh& mesh, std::size_t requested);
+/// Number of charts in force: every component needs one and those that are small come on top, as
+/// countWithParts() has it; a seed that is there has a chart; no more than there are faces.
+/// \param seeds that are given
+std::size_t effectiveChartCount(const Mesh& mesh, std::size_t requested, std::size_t seeds = 0);
 
 /// \throws UsageError when a given seed is no face of the mesh or is given twice.
 void checkSeeds(const Mesh& mesh, std::span<const Index> given);
@@ -24,10 +27,11 @@ void checkSeeds(const Mesh& mesh, std::span<const Index> given);
 /// is nearer, finds the same faces for the price of one or two floods.
 ///
 /// Beyond the paper, for meshes of several components, between which charts cannot move: each
-/// further seed goes to the component with the largest share of `componentWeight` (one value a
-/// component, not negative) per seed, so that charts of all components can come out equal.
+/// further seed goes to the component with the largest weight per seed, so that charts of all
+/// components can come out equal, and of those with the most seeds they may have only when no other
+/// has a face to spare.
 /// \throws UsageError when a given seed is no face of the mesh or is given twice.
 std::vector<Index> placeSeeds(const Mesh& mesh, std::size_t count, std::span<const Index> given,
-                              std::span<const double> componentWeight, Rng& rng);
+                              const PartShares& shares, Rng& rng);
 
 }  // namespace chartflood

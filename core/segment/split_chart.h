@@ -17,15 +17,22 @@ namespace chartflood {
 
 class ChartSplitter {
  public:
+  /// What splits heed.
+  struct Rules {
+    std::span<const Index> partner = {};    ///< faces that stay together, kNone: none; empty: none
+    std::span<const std::size_t> most = {};  ///< as in PartShares
+  };
   /// \param faceGauss faceGaussArea() of the mesh
+  /// \param rules must outlive it
   ChartSplitter(const Mesh& mesh, const GaussArea& gauss, std::span<const double> faceGauss,
-                std::vector<Index> label, std::size_t charts);
+                std::vector<Index> label, std::size_t charts, const Rules& rules);
 
   std::size_t count() const { return charts_.size(); }
   std::span<const Index> labels() const { return label_; }
   /// Splits the chart with the greatest (half its share of Gauss area + half its share of area)
   /// * (1 + min(2, 1 - Euler number)), so that rings go first, between two faces far from each
-  /// other. False when no chart has two faces.
+  /// other. Charts of parts that have the most they may come last. False when no chart has two faces
+  /// that may be parted.
   /// \param rng chooses the face from which the first of the two is the farthest
   bool splitNext(Rng& rng);
 
@@ -35,11 +42,18 @@ class ChartSplitter {
     double area = 0;
     double gauss = 0;  ///< of its faces
     int euler = 0;
+    std::size_t units = 0;  ///< faces, where two that stay together count once
   };
   void measure(Index chart);
   double need(const Chart& chart) const;
+  Index mostNeedy() const;
+  /// The face that stands for itself and its partner.
+  Index unitOf(Index face) const;
+  Index other(const Chart& chart, Index unit) const;
+  void divide(Index number, Index one, Index two);
   /// Distances over face centres inside a chart; each face learns which source is nearest.
   void search(const Chart& chart, std::span<const Index> sources);
+  void relax(Index f, Index own, double distance);
   Index farthest(const Chart& chart) const;
 
   const Mesh& mesh_;
@@ -49,8 +63,10 @@ class ChartSplitter {
   double gaussTotal_ = 0;
   std::vector<Index> label_;
   std::vector<Chart> charts_;
-  std::vector<double> distance_;
-  std::vector<Index> nearest_;
+  Rules rules_;
+  std::vector<std::size_t> chartsOfPart_;
+  std::vector<double> distance_;  ///< of units
+  std::vector<Index> nearest_;    ///< of units
   std::vector<std::pair<double, Index>> heap_;
 };
 

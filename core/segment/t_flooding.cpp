@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/base/rng.h"
-#include "core/flood/build_flood_graph.h"
 #include "core/flood/flood.h"
 #include "core/segment/balance.h"
 #include "core/segment/chart_areas.h"
@@ -22,11 +21,12 @@ class TFlooding final : public FloodRounds {
   TFlooding(const SegmentInputs& inputs, const SegmentOptions& options)
       : FloodRounds("t-flooding", inputs, options), locked_(options.locked) {
     Rng rng(options.rngSeed);
-    const std::size_t wanted = std::max(options.charts, options.seeds.size());
+    const std::size_t charts =
+        effectiveChartCount(mesh(), options.charts, options.seeds.size());
+    const PartShares shares = partShares(mesh(), *inputs.gaussArea, faceGauss(),
+                                         inputs.floodGraph->eta, options.charts);
     plan_ = RoundPlan(options, options.maxIterations,
-                      placeSeeds(mesh(), effectiveChartCount(mesh(), wanted), options.seeds,
-                                 componentWeights(), rng),
-                      options.offsets);
+                      placeSeeds(mesh(), charts, options.seeds, shares, rng), options.offsets);
     std::sort(locked_.begin(), locked_.end());
     restartFlood();
   }
@@ -77,18 +77,6 @@ class TFlooding final : public FloodRounds {
 
   void standAt(const IterationSummary& round) override {
     plan_.standAt(round.seeds, round.offsets);
-  }
-
-  /// What each component has to share out among its charts: Gauss area and a little surface.
-  std::vector<double> componentWeights() const {
-    const auto component = mesh().faceComponent();
-    std::vector<double> weight =
-        chartAreas(mesh(), *inputs().gaussArea, faceGauss(), component, mesh().componentCount())
-            .gaussArea;
-    const FaceValues area = faceAreas(mesh());
-    const double eta = inputs().floodGraph->eta;
-    for (Index f = 0; f < area.size(); ++f) weight[component[f]] += eta * area[f];
-    return weight;
   }
 
   RoundPlan plan_;

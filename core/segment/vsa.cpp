@@ -242,7 +242,7 @@ void addRandomSeeds(const GrowthGraph& graph, std::size_t wanted, std::uint32_t 
 std::unique_ptr<Stepper> makeVsa(const SegmentInputs& inputs, const SegmentOptions& options) {
   GrowthStart first = firstGrowthStart(inputs, options);
   const std::size_t charts = effectiveChartCount(
-      *inputs.mesh, std::max({options.charts, options.seeds.size(), first.seeds.size()}));
+      *inputs.mesh, options.charts, std::max(options.seeds.size(), first.seeds.size()));
   GrowthGraph graph = buildGrowthGraph(*inputs.mesh);
   // Seeds that come with proxies are a round of before: it must come out the same.
   const bool goesOn = !options.normals.empty();

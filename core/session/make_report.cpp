@@ -182,8 +182,9 @@ Report makeReport(const Results& results, const std::vector<Index>& seeds,
   Report report;
   report.version = version;
   report.input = inputReport(*results.mesh);
+  const Parameters values = inForce(results.parameters, results.features);
   for (const ParameterInfo& info : parameterTable()) {
-    report.parameters.emplace_back(info.id, parameterValue(results.parameters, info));
+    report.parameters.emplace_back(info.id, parameterValue(values, info));
   }
   for (const Index seed : seeds) report.seeds.push_back(results.mesh->inputFace(seed));
   report.results.push_back(resultReport(results));

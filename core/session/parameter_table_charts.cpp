@@ -27,7 +27,9 @@ std::vector<ParameterInfo> chartRows() {
        .format = "%.0f",
        .stage = Stage::Seeds,
        .group = "Charts",
-       .help = "How many pieces to cut the model into. More pieces: less stretching, more seams.",
+       .help = "How many pieces to cut the model into. More pieces: less stretching, more seams. "
+               "Unless a number is asked for, no more than the model has flat regions and parts. "
+               "Crumbs get one each on top.",
        .source = "3.4"},
       {.id = "max-stretch",
        .label = "Allowed stretch",
@@ -240,7 +242,8 @@ std::vector<ParameterInfo> stoppingRows() {
        .member = &Parameters::detectCycles,
        .stage = Stage::Iterations,
        .group = "Stopping",
-       .help = "Stop when the seeds return to a place they had before.",
+       .help = "Stop when the seeds rest or return to a place they had before: without Settle, or "
+               "without Balance by waiting.",
        .source = "3.4"},
   };
 }

@@ -97,7 +97,8 @@ std::vector<ParameterInfo> methodRows() {
        .group = "Method",
        .help =
            "Flood: seeds far apart, as in the paper. Creases: the parts between sharp edges, for "
-           "machine parts. Auto: creases where these divide the model.",
+           "machine parts. Auto: creases where these divide the model or ring a turned body, and "
+           "planes where it is made of few.",
        .source = "3.4",
        .choices = {{"auto", "Auto"}, {"flood", "Flood"}, {"creases", "Creases"}},
        .method = "t-flooding"},

@@ -2,6 +2,7 @@
 
 #include "core/session/parameters.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -108,6 +109,10 @@ bool parseSwitch(const ParameterInfo& info, std::string_view text) {
   refuse(info, text, "is neither on nor off");
 }
 
+bool asksForCharts(const Parameters& values) {
+  return values.chartsAsked || values.charts != Parameters{}.charts;
+}
+
 }  // namespace
 
 ParameterValue parameterValue(const Parameters& values, const ParameterInfo& info) {
@@ -130,6 +135,9 @@ void setParameter(Parameters& values, const ParameterInfo& info, const Parameter
           checkNumber(info, static_cast<double>(*typed), parameterText(value));
         }
         values.*member = *typed;
+        if constexpr (std::is_same_v<T, int>) {
+          if (member == &Parameters::charts) values.chartsAsked = true;
+        }
       },
       info.member);
 }
@@ -154,6 +162,32 @@ double weldDistance(const Parameters& values) {
   return values.weld == "off" ? kNoWeld : numberForChoice(*findParameter("weld"), values.weld);
 }
 
+bool isDefault(const Parameters& values, const ParameterInfo& info) {
+  if (std::string_view(info.id) == "charts") return !asksForCharts(values);
+  return parameterValue(values, info) == parameterDefault(info);
+}
+
+void resetParameter(Parameters& values, const ParameterInfo& info) {
+  const Parameters defaults;
+  std::visit([&](auto member) { values.*member = defaults.*member; }, info.member);
+  if (std::string_view(info.id) == "charts") values.chartsAsked = false;
+}
+
+void askCharts(Parameters& values, int charts) {
+  values.charts = charts;
+  values.chartsAsked = true;
+}
+
+std::size_t chartsInForce(const Parameters& values, std::size_t features) {
+  const auto charts = static_cast<std::size_t>(values.charts);
+  return asksForCharts(values) ? charts : std::max<std::size_t>(1, std::min(charts, features));
+}
+
+Parameters inForce(Parameters values, std::size_t features) {
+  values.charts = static_cast<int>(chartsInForce(values, features));
+  return values;
+}
+
 std::string whyUnused(const Parameters& values, const ParameterInfo& info) {
   const std::string id = info.id;
   if (*info.method != '\0' && values.method != info.method) {
@@ -169,6 +203,10 @@ std::string whyUnused(const Parameters& values, const ParameterInfo& info) {
   if (id == "clean-up" && values.refine != "moves") return "Only for tidied borders.";
   if (id == "detect-cycles" && values.method == "vsa") {
     return "Variational shape approximation stops where it fits no better.";
+  }
+  const bool balances = values.method == "t-flooding" && values.offsets;
+  if (id == "detect-cycles" && balances && values.settle > 0) {
+    return "Seeds that return are no end while pieces settle: set Settle to 0.";
   }
   return "";
 }
@@ -186,6 +224,10 @@ bool firstDifference(const Parameters& a, const Parameters& b, Stage& stage) {
     if (info.stage == Stage::Request) continue;
     if (parameterValue(a, info) == parameterValue(b, info)) continue;
     if (!differs || info.stage < stage) stage = info.stage;
+    differs = true;
+  }
+  if (asksForCharts(a) != asksForCharts(b)) {
+    stage = differs ? std::min(stage, Stage::Seeds) : Stage::Seeds;
     differs = true;
   }
   return differs;
@@ -206,6 +248,7 @@ bool differOnlyInRounds(const Parameters& a, const Parameters& b) {
 Parameters applyPreset(const Parameters& base, const Preset& preset) {
   Parameters values;
   values.charts = base.charts;
+  values.chartsAsked = base.chartsAsked;
   values.rngSeed = base.rngSeed;
   values.weld = base.weld;
   for (const auto& [id, value] : preset.values) {

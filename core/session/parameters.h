@@ -15,6 +15,9 @@ struct Parameters {
   std::string weld = "auto";          ///< weld: auto, off or a distance in the file's units
   std::string method = "t-flooding";  ///< method
   int charts = 20;                    ///< charts: K
+  /// K was asked for though it is the default. Other numbers always are; what is not asked for is
+  /// no more than the features of the model, see chartsInForce().
+  bool chartsAsked = false;
   double sharpAngle = 45;             ///< sharp-angle: T_a, degrees
   double speedPower = 1;              ///< speed-power: p of equation 7
   double speedEpsilon = 1e-3;         ///< speed-epsilon: epsilon of equation 7, share of max |K|
@@ -117,7 +120,7 @@ const ParameterInfo* findParameter(std::string_view id);
 ParameterValue parameterValue(const Parameters& values, const ParameterInfo& info);
 ParameterValue parameterDefault(const ParameterInfo& info);
 
-/// Stores a value after checking its type and hard range.
+/// Stores a value after checking its type and hard range. A number of charts is asked for by it.
 /// \throws UsageError that names the option, the value and what is allowed.
 void setParameter(Parameters& values, const ParameterInfo& info, const ParameterValue& value);
 
@@ -126,6 +129,20 @@ void setParameterFromText(Parameters& values, const ParameterInfo& info, std::st
 
 /// How far vertices that are joined may lie apart, as buildMesh() takes it.
 double weldDistance(const Parameters& values);
+
+/// True when the row has its default, which a number of charts that is asked for never is.
+bool isDefault(const Parameters& values, const ParameterInfo& info);
+/// Gives the row its default.
+void resetParameter(Parameters& values, const ParameterInfo& info);
+
+/// Makes K a number that is asked for.
+void askCharts(Parameters& values, int charts);
+
+/// K of a model with so many features: the number asked for, else that of the parameters or of the
+/// features, whichever is smaller.
+std::size_t chartsInForce(const Parameters& values, std::size_t features);
+/// The values with that number.
+Parameters inForce(Parameters values, std::size_t features);
 
 /// Why the row says nothing with these values, as a sentence: another method or a switch makes it
 /// void. "" when it counts.
@@ -150,8 +167,8 @@ struct Preset {
 };
 std::span<const Preset> presetTable();
 const Preset* findPreset(std::string_view id);
-/// Values of a preset over the defaults; the number of charts, the generator seed and what is the
-/// model's (weld) stay as in `base` unless the preset names them.
+/// Values of a preset over the defaults; the number of charts, asked for or not, the generator seed
+/// and what is the model's (weld) stay as in `base` unless the preset names them.
 Parameters applyPreset(const Parameters& base, const Preset& preset);
 
 /// The candidate closest to `word` in edits, or "" when none is near.

@@ -8,6 +8,7 @@
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
 #include "core/model/build_mesh.h"
+#include "core/segment/flat_regions.h"
 #include "core/segment/seeds.h"
 
 namespace chartflood {
@@ -41,6 +42,7 @@ void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds
 /// Nothing that was made of the old mesh stays.
 void Pipeline::takeMesh(std::shared_ptr<const Mesh> mesh) {
   mesh_ = std::move(mesh);
+  features_ = featureCount(*mesh_);
   ++meshVersion_;
   stepper_.reset();
   flood_.reset();
@@ -124,8 +126,8 @@ void Pipeline::reviseSeeds(const Document& before) {
     offsets_.clear();
   }
   if (now.rngSeed != before.parameters.rngSeed) seeds_ = placed;
-  if (now.charts != before.parameters.charts) {
-    dropNewestSeeds(static_cast<std::size_t>(now.charts));
+  if (chartsInForce(now, features_) != chartsInForce(before.parameters, features_)) {
+    dropNewestSeeds(effectiveChartCount(*mesh_, wantedCharts()));
     offsets_.clear();
     toldCharts_ = 0;
   }
@@ -256,6 +258,7 @@ void Pipeline::report(Results& results) const {
   results.stale = stale();
   results.timing = timing_;
   results.parameters = document_.parameters;
+  results.features = features_;
   results.placed = document_.seeds;
   results.seedRuns = seedRuns_;
   results.chartRuns = chartRuns_;

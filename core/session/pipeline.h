@@ -93,6 +93,8 @@ class Pipeline {
   };
 
   bool finished() const;
+  /// K as asked for or as the model's features have it, before parts raise it.
+  std::size_t wantedCharts() const { return chartsInForce(document_.parameters, features_); }
   /// True when the stepper holds the charts of the moment already.
   bool standsAt(const FloodMoment& moment) const;
   bool isFlat() const;
@@ -135,6 +137,7 @@ class Pipeline {
   void keepFlood();
   void tell(Notice::Kind kind, std::string text) const;
   void tellChartCount();
+  void tellParts(std::size_t wanted, const std::string& number);
   void tellTooSmall();
   void tellOutcome();
 
@@ -168,6 +171,7 @@ class Pipeline {
   bool seedsVoid_ = false;      ///< the mesh was built anew with other faces
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   bool toldLiteral_ = false;    ///< the user was told that the mesh is too small to search fast
+  std::size_t features_ = 0;    ///< of the mesh, see featureCount()
   std::uint64_t meshVersion_ = 0, gaussVersion_ = 0;
 };
 

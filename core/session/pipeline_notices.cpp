@@ -6,6 +6,7 @@
 
 #include "core/pack/layout_atlas.h"
 #include "core/segment/fast_flooding.h"
+#include "core/segment/part_shares.h"
 #include "core/segment/seeds.h"
 #include "core/session/pipeline.h"
 
@@ -16,26 +17,26 @@ void Pipeline::tell(Notice::Kind kind, std::string text) const {
 }
 
 void Pipeline::tellChartCount() {
-  const std::size_t wanted = static_cast<std::size_t>(document_.parameters.charts);
+  const std::size_t wanted = wantedCharts();
+  const std::size_t locked = lockedFaces(document_.seeds).size();
   // Methods that come to their charts one by one begin with fewer seeds.
-  const std::size_t locks = lockedFaces(document_.seeds).size();
-  const std::size_t count =
-      effectiveChartCount(*mesh_, document_.parameters.method == "t-flooding"
-                                      ? seeds_.size()
-                                      : std::max({wanted, locks, seeds_.size()}));
-  if (count == wanted || count == toldCharts_) return;
+  const std::size_t seeds =
+      document_.parameters.method == "t-flooding" ? seeds_.size() : std::max(locked, seeds_.size());
+  const std::size_t count = effectiveChartCount(*mesh_, wanted, seeds);
+  const bool byFeatures = wanted < static_cast<std::size_t>(document_.parameters.charts);
+  if ((count == wanted && !byFeatures) || count == toldCharts_) return;
   toldCharts_ = count;
   const std::string number = std::to_string(count);
-  const std::size_t locked = lockedFaces(document_.seeds).size();
-  if (count < wanted) {
+  if (count == wanted) {
+    tell(Notice::Kind::Info, "This model has " + number + (count == 1 ? " feature" : " features") +
+                                 " (flat regions, parts), so K is " + number + ".");
+  } else if (count < wanted) {
     tell(Notice::Kind::Warning, "Only " + number + " faces: K was set to " + number + ".");
   } else if (locked > wanted && locked >= mesh_->componentCount()) {
     tell(Notice::Kind::Warning,
          std::to_string(locked) + " seeds are locked, so K was raised to " + number + ".");
-  } else if (mesh_->componentCount() > wanted) {
-    tell(Notice::Kind::Warning,
-         std::to_string(mesh_->componentCount()) +
-             " separate parts: each gets at least one chart, so K was raised to " + number + ".");
+  } else if (mesh_->componentCount() > 1) {
+    tellParts(wanted, number);
   }
 }
 
@@ -52,6 +53,20 @@ void Pipeline::tellMargin() const {
            " pixels a side: they keep " + std::to_string(atlas.margin) +
            "; a texture of " + std::to_string(textureSizeFor(charts, p.margin)) +
            " pixels keeps them all.");
+}
+
+void Pipeline::tellParts(std::size_t wanted, const std::string& number) {
+  const PartCount parts = countWithParts(*mesh_, wanted);
+  if (parts.charts == wanted) return;  // seeds are there that ask for more
+  const std::string small =
+      parts.small == parts.parts || parts.small == 0
+          ? ""
+          : ", and the " + std::to_string(parts.small) +
+                (parts.small == 1 ? " small one takes" : " small ones take") +
+                " none from the others";
+  tell(Notice::Kind::Warning, std::to_string(parts.parts) +
+                                  " separate parts: each gets at least one chart" + small +
+                                  ", so K was raised to " + number + ".");
 }
 
 void Pipeline::tellTooSmall() {

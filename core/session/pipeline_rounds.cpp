@@ -47,9 +47,9 @@ void Pipeline::takeLocks(Progress& progress) {
 
 std::optional<std::uint32_t> Pipeline::wantsCreases() const {
   const Parameters& p = document_.parameters;
-  const bool wanted =
-      p.method == "t-flooding" && document_.seeds.empty() &&
-      (p.start == "creases" || (p.start == "auto" && suitsCreaseStart({mesh_, gauss_, graph_})));
+  const auto suits = [&] { return suitsCreaseStart({mesh_, gauss_, graph_}, wantedCharts()); };
+  const bool wanted = p.method == "t-flooding" && document_.seeds.empty() &&
+                      (p.start == "creases" || (p.start == "auto" && suits()));
   return wanted ? std::optional(static_cast<std::uint32_t>(p.rngSeed)) : std::nullopt;
 }
 
@@ -69,7 +69,7 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
                            const std::optional<FastFlood>& fast) {
   const Parameters& p = document_.parameters;
   SegmentOptions options;
-  options.charts = static_cast<std::size_t>(p.charts);
+  options.charts = wantedCharts();
   options.seeds = seeds_.empty() ? seedFaces(document_.seeds) : seeds_;
   options.locked = lockedFaces(document_.seeds);
   locksChanged_ = false;

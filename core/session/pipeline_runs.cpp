@@ -42,6 +42,7 @@ std::unique_ptr<Pipeline> Pipeline::runApart(const Parameters& parameters,
   apart->mesh_ = mesh_;
   apart->gauss_ = gauss_;
   apart->graph_ = graph_;
+  apart->features_ = features_;
   apart->meshVersion_ = meshVersion_;
   apart->gaussVersion_ = gaussVersion_;
   apart->timing_ = {timing_.read, timing_.gaussArea, timing_.floodGraph};

@@ -18,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
+constexpr const char* kChartsAsked = "charts-asked";  // false: K is a default
 constexpr int kDeepest = 32;  // of nested values: ours have 3
 constexpr std::size_t kLargestFile = 256'000'000;  // bytes
 
@@ -28,6 +29,8 @@ Json parametersJson(const Parameters& parameters) {
   for (const ParameterInfo& info : parameterTable()) {
     std::visit([&](const auto& value) { json[info.id] = value; }, parameterValue(parameters, info));
   }
+  // Older programs take any number for one that is asked for, as it is unless this says otherwise.
+  if (!parameters.chartsAsked) json[kChartsAsked] = false;
   return json;
 }
 
@@ -246,6 +249,7 @@ Parameters readParameters(Reader& reader) {
       reader.unusable(info.id);
     }
   }
+  if (reader.has(kChartsAsked)) parameters.chartsAsked = reader.flag(kChartsAsked);
   return parameters;
 }
 

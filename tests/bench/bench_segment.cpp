@@ -37,8 +37,8 @@ std::atomic<std::uint64_t> allocations{0};
 
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
-std::vector<double> equalWeights(const Mesh& mesh) {
-  return std::vector<double>(mesh.componentCount(), 1.0);
+PartShares equalWeights(const Mesh& mesh) {
+  return {std::vector<double>(mesh.componentCount(), 1.0), {}};
 }
 
 /// A mesh with every stage before the measured one done.
@@ -210,7 +210,8 @@ void coarseRound(benchmark::State& state, const std::string& name) {
   const CoarseGraph coarse = makeCoarseGraph(nodeSource(p), clusterFaces(*p.in.mesh, {}, size));
   Rng rng(1);
   const std::vector<Index> seeds =
-      placeCoarseSeeds(coarse, p.in.mesh->componentCount(), p.seeds.size(), {}, rng);
+      placeCoarseSeeds(coarse, p.in.mesh->componentCount(), p.seeds.size(), {},
+                       equalWeights(*p.in.mesh), rng);
   const auto flood = makeFlood(coarse.nodes.flood, seeds.size(), OfferRule::ShortestTimes);
   for (auto _ : state) {
     flood->start(seeds, p.offsets, true, nullptr);
@@ -231,7 +232,8 @@ struct CoarseCharts {
                                                           coarseClusterSize(p.in.mesh->faceCount(),
                                                                             p.seeds.size())))) {
     Rng rng(1);
-    seeds = placeCoarseSeeds(graph, p.in.mesh->componentCount(), p.seeds.size(), {}, rng);
+    seeds = placeCoarseSeeds(graph, p.in.mesh->componentCount(), p.seeds.size(), {},
+                             equalWeights(*p.in.mesh), rng);
     const auto flood = makeFlood(graph.nodes.flood, seeds.size(), OfferRule::ShortestTimes);
     flood->start(seeds, p.offsets, true, nullptr);
     flood->advance(kAll, nullptr);

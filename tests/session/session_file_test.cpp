@@ -101,6 +101,18 @@ TEST_F(SessionFiles, EveryParameterComesBack) {
   }
 }
 
+TEST_F(SessionFiles, WhetherANumberOfChartsWasAskedForComesBack) {
+  for (const bool asked : {false, true}) {
+    SessionFile session = example();
+    session.parameters.charts = 20;
+    session.parameters.chartsAsked = asked;
+    write(sessionText(session, target()));
+    const SessionFile again = readSession(target());
+    EXPECT_EQ(again.parameters, session.parameters);
+    EXPECT_EQ(again.unknown, "");
+  }
+}
+
 TEST_F(SessionFiles, EveryTruncationIsOneSentence) {
   const std::string whole = sessionText(example(), target());
   for (std::size_t length = 0; length + 2 <= whole.size(); ++length) {

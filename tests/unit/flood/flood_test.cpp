@@ -32,8 +32,8 @@ std::vector<Index> labelsOf(const Flood& flood) {
   return labels;
 }
 
-std::vector<double> equalWeights(const Mesh& mesh) {
-  return std::vector<double>(mesh.componentCount(), 1.0);
+PartShares equalWeights(const Mesh& mesh) {
+  return {std::vector<double>(mesh.componentCount(), 1.0), {}};
 }
 
 struct Case {

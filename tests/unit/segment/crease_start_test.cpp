@@ -44,7 +44,7 @@ TEST(CreaseRegions, OfACubeAreItsSidesAndStayWhateverTheCuts) {
 TEST(CreaseRegions, ASmoothModelIsOneAndDoesNotSuit) {
   const SegmentInputs in = test::segmentInputs(test::sampleMesh("sphere", 1000));
   EXPECT_EQ(creaseRegions(*in.mesh, *in.gaussArea).count, 1u);
-  EXPECT_FALSE(suitsCreaseStart(in));
+  EXPECT_FALSE(suitsCreaseStart(in, 20));
 }
 
 struct Suits {
@@ -74,8 +74,8 @@ TEST_P(CreasesOf, DivideMachineParts) {
 }
 
 TEST(CreaseRegions, OfASoftBodyWithHardDetailsDoNotDivideIt) {
-  EXPECT_FALSE(suitsCreaseStart(test::segmentInputs(test::sampleMesh("rocket", 5000))));
-  EXPECT_TRUE(suitsCreaseStart(test::segmentInputs(test::sampleMesh("gear", 5000))));
+  EXPECT_FALSE(suitsCreaseStart(test::segmentInputs(test::sampleMesh("rocket", 5000)), 20));
+  EXPECT_TRUE(suitsCreaseStart(test::segmentInputs(test::sampleMesh("gear", 5000)), 20));
 }
 
 TEST(CreaseStart, SeedsAreOfTheChartsAndToldOf) {

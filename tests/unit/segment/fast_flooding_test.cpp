@@ -26,6 +26,10 @@
 namespace chartflood {
 namespace {
 
+PartShares evenShares(const Mesh& mesh) {
+  return {std::vector<double>(mesh.componentCount(), 1.0), {}};
+}
+
 SegmentOptions fastOptions(std::size_t charts) {
   SegmentOptions options;
   options.charts = charts;
@@ -93,7 +97,8 @@ TEST_P(FastOn, FloodsCountWhatTheirChartsHold) {
   const CoarseGraph coarse = makeCoarseGraph(source(), clusterFaces(*mesh_, {}, 9));
   Rng rng(5);
   const std::size_t charts = std::max<std::size_t>(6, mesh_->componentCount());
-  const auto seeds = placeCoarseSeeds(coarse, mesh_->componentCount(), charts, {}, rng);
+  const auto seeds = placeCoarseSeeds(coarse, mesh_->componentCount(), charts, {},
+                                      evenShares(*mesh_), rng);
   NodeFlood flood(*mesh_, coarse.nodes, charts);
   flood.start(seeds, std::vector<double>(charts, 0), true, nullptr);
   flood.take(mesh_->faceCount(), nullptr);
@@ -125,7 +130,8 @@ struct CoarseCharts {
       : graph(makeCoarseGraph(source, clusterFaces(source.mesh, {}, size))) {
     Rng rng(3);
     charts = std::max(charts, source.mesh.componentCount());
-    seeds = placeCoarseSeeds(graph, source.mesh.componentCount(), charts, {}, rng);
+    seeds = placeCoarseSeeds(graph, source.mesh.componentCount(), charts, {},
+                             evenShares(source.mesh), rng);
     NodeFlood flood(source.mesh, graph.nodes, charts);
     flood.start(seeds, std::vector<double>(charts, 0), true, nullptr);
     flood.take(source.mesh.faceCount(), nullptr);

@@ -19,8 +19,8 @@
 namespace chartflood {
 namespace {
 
-std::vector<double> equalWeights(const Mesh& mesh) {
-  return std::vector<double>(mesh.componentCount(), 1.0);
+PartShares equalWeights(const Mesh& mesh) {
+  return {std::vector<double>(mesh.componentCount(), 1.0), {}};
 }
 
 TEST(Offsets, PenaliseBySurplusOverTheSmallest) {
@@ -118,7 +118,7 @@ TEST(Convergence, LimitsRounds) {
   EXPECT_EQ(c.round(a, b, 4), StopReason::MaxIterations);
 }
 
-TEST(Convergence, SeesRestAndCyclesOnlyWithoutOffsets) {
+TEST(Convergence, SeesRestAndCyclesWhereSeedsAreTheWholeState) {
   const std::vector<Index> a = {1, 2}, b = {3, 4}, swapped = {2, 1};
   Convergence still({.offsetsChange = false});
   EXPECT_EQ(still.round(a, a, 1), StopReason::Converged);
@@ -127,8 +127,19 @@ TEST(Convergence, SeesRestAndCyclesOnlyWithoutOffsets) {
   EXPECT_EQ(cycle.round(b, swapped, 1), StopReason::Cycle);
   Convergence ignored({.detectCycles = false, .offsetsChange = false});
   EXPECT_EQ(ignored.round(a, a, 1), StopReason::NotStopped);
-  Convergence moving({.offsetsChange = true});
-  EXPECT_EQ(moving.round(a, a, 1), StopReason::NotStopped);
+  Convergence settles({.offsetsChange = true});
+  EXPECT_EQ(settles.round(a, a, 1), StopReason::NotStopped);
+}
+
+TEST(Convergence, SeesThemWithOffsetsWhereTheseDoNotSettleAsInThePaper) {
+  const std::vector<Index> a = {1, 2}, b = {3, 4};
+  Convergence rest({.offsetsChange = true, .settlePatience = 0});
+  EXPECT_EQ(rest.round(a, a, 1), StopReason::Converged);
+  Convergence cycle({.offsetsChange = true, .settlePatience = 0});
+  EXPECT_EQ(cycle.round(a, b, 1), StopReason::NotStopped);
+  EXPECT_EQ(cycle.round(b, a, 1), StopReason::Cycle);
+  Convergence ignored({.detectCycles = false, .offsetsChange = true, .settlePatience = 0});
+  EXPECT_EQ(ignored.round(a, a, 1), StopReason::NotStopped);
 }
 
 /// Distance of every face to the nearest of `seeds` over the dual graph, by plain relaxation.
@@ -196,7 +207,7 @@ TEST(Seeds, GoToTheComponentsWithTheMostToShare) {
   }
   const auto mesh = test::meshOf(p, faces);
   Rng rng(1);
-  const auto seeds = placeSeeds(*mesh, 10, {}, std::vector<double>{9, 1}, rng);
+  const auto seeds = placeSeeds(*mesh, 10, {}, PartShares{{9, 1}, {}}, rng);
   EXPECT_EQ(std::count_if(seeds.begin(), seeds.end(), [](Index f) { return f < 100; }), 9);
 }
 

@@ -99,6 +99,8 @@ TEST(ParameterTable, RowsAreCompleteAndDefaultsAllowed) {
     EXPECT_NE(std::string(info.group), "");
     Parameters values;
     EXPECT_NO_THROW(setParameter(values, info, parameterDefault(info)));
+    EXPECT_EQ(parameterValue(values, info), parameterDefault(info));
+    resetParameter(values, info);  // a default number of charts may be asked for
     EXPECT_EQ(values, Parameters{});
     const bool isNumber = !std::holds_alternative<bool Parameters::*>(info.member) &&
                           !std::holds_alternative<std::string Parameters::*>(info.member);
@@ -120,6 +122,8 @@ TEST(ParameterText, EveryDefaultReadsBack) {
   for (const ParameterInfo& info : parameterTable()) {
     Parameters values;
     setParameterFromText(values, info, parameterText(parameterDefault(info)));
+    EXPECT_EQ(parameterValue(values, info), parameterDefault(info)) << info.id;
+    resetParameter(values, info);
     EXPECT_EQ(values, Parameters{}) << info.id;
   }
 }
@@ -254,10 +258,39 @@ TEST(Presets, OthersSetWhatTheyName) {
   EXPECT_EQ(applyPreset(base, *findPreset("few-large")).charts, 8);
   EXPECT_EQ(applyPreset(base, *findPreset("hard-surface")).sharpAngle, 30);
   EXPECT_EQ(applyPreset(base, *findPreset("hard-surface")).speedPower, 3);
+  EXPECT_EQ(applyPreset(base, *findPreset("hard-surface")).start, "creases");
   EXPECT_EQ(applyPreset(base, *findPreset("organic")).sharpAngle, 90);
   EXPECT_EQ(applyPreset(base, *findPreset("organic")).speedPower, 2);
   EXPECT_EQ(findPreset("papper"), nullptr);
   EXPECT_EQ(presetTable().size(), 5u);
+}
+
+TEST(ChartsAsked, LimitADefaultAloneToTheFeatures) {
+  Parameters values;
+  EXPECT_EQ(chartsInForce(values, 6), 6u);
+  EXPECT_EQ(chartsInForce(values, 300), 20u);
+  EXPECT_EQ(chartsInForce(values, 0), 1u);
+  EXPECT_TRUE(isDefault(values, row("charts")));
+  values.charts = 30;
+  EXPECT_EQ(chartsInForce(values, 6), 30u);
+  EXPECT_FALSE(isDefault(values, row("charts")));
+}
+
+TEST(ChartsAsked, TheDefaultsNumberStaysOnceItIsAskedFor) {
+  const Parameters fresh;
+  Parameters values;
+  setParameterFromText(values, row("charts"), "20");
+  EXPECT_EQ(chartsInForce(values, 6), 20u);
+  EXPECT_FALSE(isDefault(values, row("charts")));
+  Stage stage = Stage::Layout;
+  EXPECT_TRUE(firstDifference(fresh, values, stage));
+  EXPECT_EQ(stage, Stage::Seeds);
+  const Parameters preset = applyPreset(values, *findPreset("organic"));
+  EXPECT_EQ(chartsInForce(preset, 6), 20u);
+  EXPECT_EQ(chartsInForce(applyPreset(fresh, *findPreset("organic")), 6), 6u);
+  EXPECT_EQ(chartsInForce(applyPreset(fresh, *findPreset("few-large")), 6), 8u);
+  resetParameter(values, row("charts"));
+  EXPECT_EQ(values, fresh);
 }
 
 TEST(WhyUnused, TellsOfMethodsAndBorders) {
@@ -267,6 +300,12 @@ TEST(WhyUnused, TellsOfMethodsAndBorders) {
   EXPECT_EQ(why("balance-weight"), "");
   EXPECT_NE(why("clean-up"), "");
   EXPECT_NE(why("vsa-seeding"), "");
+  EXPECT_NE(why("detect-cycles"), "");
+  values.settle = 0;
+  EXPECT_EQ(why("detect-cycles"), "");
+  values.settle = 4;
+  values.offsets = false;
+  EXPECT_EQ(why("detect-cycles"), "");
   values.refine = "moves";
   EXPECT_NE(why("balance-weight"), "");
   EXPECT_EQ(why("clean-up"), "");
