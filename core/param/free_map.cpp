@@ -10,7 +10,8 @@ namespace chartflood {
 
 namespace {
 
-constexpr int kDirectSteps = 8, kGuardedSteps = 120;
+constexpr int kDirectSteps = 8, kLooseSteps = 30, kSettlingSteps = 20, kGuardedSteps = 120;
+constexpr double kLooseTolerance = 1e-3;
 
 /// Few steps from a free boundary; empty when triangles flip on the way.
 std::vector<glm::dvec2> directStart(const ChartShape& shape, const Progress& progress) {
@@ -25,38 +26,44 @@ bool simpleBoundary(const ChartShape& shape, const std::vector<glm::dvec2>& uv, 
   return !findCrossings(shape.boundary, uv, contact, crossing);
 }
 
-/// From a conformal map; empty when triangles flip or the chart covers itself.
-std::vector<glm::dvec2> directMap(const ChartShape& shape, const Progress& progress) {
-  std::vector<glm::dvec2> uv = directStart(shape, progress);
-  if (uv.empty()) return {};
-  minimiseIsometric(shape, {.steps = kDirectSteps}, progress, uv);
+/// The map with its slits parted; empty when it covers itself.
+std::vector<glm::dvec2> simpleOrNone(const ChartShape& shape, std::vector<glm::dvec2> uv) {
   if (!simpleBoundary(shape, uv, Contact::Deep) || !partSlits(shape, uv)) return {};
   return uv;
 }
 
-/// From a map that is one-to-one, never leaving such maps.
-std::vector<glm::dvec2> guardedMap(const ChartShape& shape, std::vector<glm::dvec2> uv,
+}  // namespace
+
+std::vector<glm::dvec2> freeMap(const ChartShape& shape, const Progress& progress) {
+  std::vector<glm::dvec2> uv = directMap(shape, progress);
+  return uv.empty() && !progress.cancelled() ? guardedMap(shape, progress) : uv;
+}
+
+std::vector<glm::dvec2> directMap(const ChartShape& shape, const Progress& progress) {
+  std::vector<glm::dvec2> uv = directStart(shape, progress);
+  if (uv.empty()) return {};
+  minimiseIsometric(shape, {.steps = kDirectSteps}, progress, uv);
+  return simpleOrNone(shape, std::move(uv));
+}
+
+std::vector<glm::dvec2> looseMap(const ChartShape& shape, std::vector<glm::dvec2> start,
+                                 const Progress& progress) {
+  minimiseIsometric(shape, {.steps = kLooseSteps, .tolerance = kLooseTolerance}, progress, start);
+  return start;
+}
+
+std::vector<glm::dvec2> settledMap(const ChartShape& shape, std::vector<glm::dvec2> loose,
                                    const Progress& progress) {
+  minimiseIsometric(shape, {.steps = kSettlingSteps}, progress, loose);
+  return simpleOrNone(shape, std::move(loose));
+}
+
+std::vector<glm::dvec2> guardedMap(const ChartShape& shape, const Progress& progress) {
+  std::vector<glm::dvec2> uv = bestCircleMap(shape);
+  if (uv.empty()) return {};
   minimiseIsometric(shape, {.steps = kGuardedSteps, .guardBoundary = true}, progress, uv);
   std::vector<glm::dvec2> parted = uv;
   return partSlits(shape, parted) || simpleBoundary(shape, parted, Contact::Any) ? parted : uv;
-}
-
-}  // namespace
-
-std::vector<glm::dvec2> freeMap(const ChartShape& shape, const std::vector<glm::dvec2>& before,
-                                const Progress& progress) {
-  std::vector<glm::dvec2> uv = directMap(shape, progress);
-  if (!uv.empty() || progress.cancelled()) return uv;
-  if (!before.empty()) {
-    uv = before;
-    if (scaleToUnitArea(shape.rest, uv) && partSlits(shape, uv) && allPositive(shape.rest, uv)) {
-      return guardedMap(shape, std::move(uv), progress);
-    }
-  }
-  uv = bestCircleMap(shape);
-  if (uv.empty()) return {};
-  return guardedMap(shape, std::move(uv), progress);
 }
 
 }  // namespace chartflood

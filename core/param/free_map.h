@@ -10,10 +10,24 @@
 
 namespace chartflood {
 
-/// Area about 1. Starts from a conformal map; where that leads to flips or overlap, from `before`
-/// (the map of the chart before its last cut, or empty) and failing that from a circle.
-/// \return empty when cancelled, or when no map without flips was found
-std::vector<glm::dvec2> freeMap(const ChartShape& shape, const std::vector<glm::dvec2>& before,
-                                const Progress& progress);
+/// Area about 1. The direct map where there is one, else the guarded one. \return empty when
+/// cancelled, or when no map without flips was found
+std::vector<glm::dvec2> freeMap(const ChartShape& shape, const Progress& progress);
+
+/// In a few steps from a conformal map; empty when triangles flip on the way or the chart covers
+/// itself.
+std::vector<glm::dvec2> directMap(const ChartShape& shape, const Progress& progress);
+
+/// From a circle, never leaving one-to-one maps.
+std::vector<glm::dvec2> guardedMap(const ChartShape& shape, const Progress& progress);
+
+/// Without flips, but it may cover itself: about what the chart stretches at least, for a small
+/// part of the time of a guarded map. \param start all triangles counter-clockwise, area about 1
+std::vector<glm::dvec2> looseMap(const ChartShape& shape, std::vector<glm::dvec2> start,
+                                 const Progress& progress);
+
+/// A loose map brought to its end; empty when the chart covers itself there.
+std::vector<glm::dvec2> settledMap(const ChartShape& shape, std::vector<glm::dvec2> loose,
+                                   const Progress& progress);
 
 }  // namespace chartflood

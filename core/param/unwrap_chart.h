@@ -19,7 +19,7 @@ struct FlatChart {
   std::optional<CutChart> relieved;           ///< the chart with its relief cuts, if it got any
 };
 
-/// Lays a chart flat, with at most 8 relief cuts.
+/// Lays a chart flat, with relief cuts while it stretches more than reliefLimit().
 /// \return anything when cancelled
 FlatChart unwrapChart(const CutChart& chart, const UnwrapOptions& options,
                       const Progress& progress);

@@ -21,6 +21,10 @@ struct UnwrapOptions {
   bool operator==(const UnwrapOptions&) const = default;
 };
 
+/// The L2 stretch that relief cuts are to keep each chart to: that of the options, and four times as
+/// much for circles, which squeeze every boundary.
+double reliefLimit(const UnwrapOptions& options);
+
 struct UnwrapResult {
   std::shared_ptr<const ChartSet> charts;  ///< the given ones, with relief cuts added
   std::shared_ptr<const Unwrap> unwrap;    ///< of `charts`

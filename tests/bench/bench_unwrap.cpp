@@ -72,7 +72,7 @@ void free(benchmark::State& state) {
   const ChartSurface& s = hills(static_cast<std::size_t>(state.range(0)));
   const ChartShape shape(s);
   Progress progress;
-  for (auto _ : state) benchmark::DoNotOptimize(freeMap(shape, {}, progress));
+  for (auto _ : state) benchmark::DoNotOptimize(freeMap(shape, progress));
   perFace(state, s.triangleCount());
 }
 

@@ -207,6 +207,61 @@ TEST(TipCutter, SlitsFingersThatAreLongAgainstTheirRim) {
   EXPECT_EQ(topologyOf(chart.surface), chart.topology);
 }
 
+/// A plate of 11 x 5 quads with square tubes of the given heights standing on every third quad of
+/// its middle row, each closed by a quad. The rim is 32 long.
+CutChart comb(const std::vector<Index>& heights) {
+  std::vector<glm::dvec3> p;
+  test::Polygons faces;
+  for (Index j = 0; j <= 5; ++j) {
+    for (Index i = 0; i <= 11; ++i) p.emplace_back(i, j, 0);
+  }
+  for (Index j = 0; j < 5; ++j) {
+    for (Index i = 0; i < 11; ++i) {
+      std::vector<Index> ring = {j * 12 + i, j * 12 + i + 1, j * 12 + i + 13, j * 12 + i + 12};
+      const Index finger = (i - 2) / 3;
+      if (j == 2 && i % 3 == 2 && finger < heights.size()) {
+        for (Index k = 1; k <= heights[finger]; ++k) {
+          const Index first = static_cast<Index>(p.size());
+          for (const Index v : std::vector<Index>(ring)) p.emplace_back(p[v].x, p[v].y, k);
+          for (Index c = 0; c < 4; ++c) {
+            faces.push_back({ring[c], ring[(c + 1) % 4], first + (c + 1) % 4, first + c});
+          }
+          ring = {first, first + 1, first + 2, first + 3};
+        }
+      }
+      faces.push_back(ring);
+    }
+  }
+  const auto mesh = test::meshOf(p, faces);
+  CutChart chart;
+  chart.surface = extractCharts(*mesh, std::vector<Index>(mesh->faceCount(), 0), 1).front();
+  chart.topology = topologyOf(chart.surface);
+  return chart;
+}
+
+TEST(TipCutter, SlitsEachOfEqualFingers) {
+  CutChart chart = comb({34, 34, 34});
+  ASSERT_TRUE(chart.disk());
+  CutChart same = chart;
+  cutTips(same, 1.2);
+  EXPECT_TRUE(same.cuts.empty());
+  cutTips(chart, 1);
+  ASSERT_EQ(chart.cuts.size(), 3u);
+  for (const Cut& cut : chart.cuts) EXPECT_EQ(cut.sides.size(), 36u) << "two across the plate";
+  EXPECT_TRUE(chart.disk());
+}
+
+TEST(TipCutter, ShortFingersBesideLongOnesStay) {
+  CutChart chart = comb({34, 20, 40});
+  cutTips(chart, 1);
+  ASSERT_EQ(chart.cuts.size(), 2u);
+  EXPECT_EQ(chart.cuts[0].sides.size(), 42u) << "the longest first";
+  EXPECT_EQ(chart.cuts[1].sides.size(), 36u);
+  CutChart all = comb({34, 20, 40});
+  cutTips(all, 0.65);
+  EXPECT_EQ(all.cuts.size(), 3u);
+}
+
 TEST(BoundaryCut, EveryVertexOfADiskCanBeOpenedTo) {
   const auto grid = test::grid(6, false);
   CutChart chart;
