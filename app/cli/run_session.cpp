@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <string>
+#include <memory>
 #include <thread>
 
 #include <unistd.h>
@@ -151,16 +152,24 @@ void takeHints(Session& session, const Invocation& call) {
   waitForSession(session, call);
 }
 
-/// Looks for the number of charts and makes it the document's.
-void findChartCount(Session& session, const Invocation& call) {
-  if (!call.findsCharts) return;
+/// Looks for the number of charts and makes it the document's. True when its charts are there.
+bool findChartCount(Session& session, const Invocation& call) {
+  if (!call.findsCharts) return false;
   session.findChartCount();
   waitForSession(session, call);
-  const RunSet& set = *session.results()->chartRuns;
+  const std::shared_ptr<const RunSet> set = session.results()->chartRuns;
+  const Run& chosen = set->runs[set->chosen];
   Document document = session.document();
-  askCharts(document.parameters, set.runs[set.chosen].parameters.charts);
-  session.setDocument(document, false);
+  askCharts(document.parameters, chosen.parameters.charts);
+  document.parameters.reliefStretch = chosen.parameters.reliefStretch;
+  const bool again = document.parameters.bestOf > 1;  // generator seeds are tried for that number
+  if (again) {
+    session.setDocument(document, false);
+  } else {
+    session.restore(document, chosen.moment);
+  }
   waitForSession(session, call);
+  return !again;
 }
 
 /// The option that cannot do without flat charts; "" when there is none.
@@ -192,7 +201,7 @@ void openInput(Session& session, const Invocation& call) {
 void segment(Session& session, const Invocation& call) {
   if (takeSession(session, call)) return;
   takeHints(session, call);
-  findChartCount(session, call);
+  if (findChartCount(session, call)) return;
   placeSeeds(session, call);
   if (call.steps) {
     session.step(StepUnit::Face, std::min(*call.steps, session.results()->mesh->faceCount()));

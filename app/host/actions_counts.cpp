@@ -61,8 +61,9 @@ void addCountActions(ActionRegistry& registry) {
   registry.add(
       {.id = "find-charts",
        .title = "Fewest pieces",
-       .help = "Tries more and more pieces until the model stretches no more than allowed, and "
-               "takes the smallest number. The tab Plots shows what was tried.",
+       .help = "Tries few pieces with the relief cuts they need, then more, and takes the shortest "
+               "seams with which no piece stretches more than allowed. The tab Plots shows what "
+               "was tried.",
        .arguments = {},
        .refusal = needsRest,
        .run = [](AppState& state, const Arguments&) { state.session().findChartCount(); }});

@@ -63,6 +63,7 @@ void useChartRun(AppState& state, std::size_t run) {
   Document document = state.document();
   // A model in parts has more charts than were asked for.
   askCharts(document.parameters, tried.parameters.charts);
+  document.parameters.reliefStretch = tried.parameters.reliefStretch;
   const std::string name = std::to_string(tried.charts) + " charts";
   Stage stage = Stage::Layout;
   Parameters asTried = tried.parameters;

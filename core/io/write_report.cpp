@@ -156,6 +156,16 @@ Json trianglesWithoutArea(const ResultReport& result) {
   return sum;
 }
 
+Json aboveLimitJson(const std::vector<AboveLimit>& charts) {
+  Json json = Json::array();
+  for (const AboveLimit& chart : charts) {
+    json.push_back({{"chart", chart.chart},
+                    {"l2_stretch", number(chart.l2)},
+                    {"limit", number(chart.limit)}});
+  }
+  return json;
+}
+
 Json resultJson(const ResultReport& result) {
   using S = StretchReport;
   Json charts = Json::array();
@@ -181,6 +191,7 @@ Json resultJson(const ResultReport& result) {
           {"cut_length", number(result.cutLength)},
           {"crease_share", number(result.creaseShare)},
           {"packing_efficiency", number(result.packingEfficiency)},
+          {"above_limit", aboveLimitJson(result.aboveLimit)},
           {"history", historyJson(result.history)},
           {"seed_runs", runsJson(result.seedRuns)},
           {"chart_runs", runsJson(result.chartRuns)},

@@ -45,8 +45,15 @@ struct RunReport {
   int rngSeed = 0;
   std::size_t charts = 0;
   std::optional<double> stdOverMean;
-  double seamLengthOverSqrtArea = 0, l2AreaWeighted = 0, l2Max = 0;
+  double seamLengthOverSqrtArea = 0;
+  std::optional<double> l2AreaWeighted, l2Max;  ///< absent where its charts were not laid flat
   bool chosen = false;
+};
+
+/// A chart that stretches more than it was to.
+struct AboveLimit {
+  std::size_t chart = 0;
+  double l2 = 1, limit = 1;
 };
 
 struct ChartReport {
@@ -96,6 +103,7 @@ struct ResultReport {
   std::optional<double> creaseShare;        ///< of the length of sharp edges, on borders of charts
   std::optional<StretchReport> stretch;     ///< absent when no chart is laid flat
   std::optional<double> packingEfficiency;  ///< share of the texture that charts cover
+  std::vector<AboveLimit> aboveLimit;       ///< ascending by chart
   std::vector<IterationReport> history;
   std::vector<RunReport> seedRuns;   ///< generator seeds that were tried
   std::vector<RunReport> chartRuns;  ///< numbers of charts that were tried

@@ -2,6 +2,7 @@
 
 #include "core/charts/crease_share.h"
 #include "core/session/run_set.h"
+#include "core/session/stretch_limit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,6 +139,10 @@ void addCharts(ResultReport& report, const Results& results) {
   report.cutLength = cutLength;
   report.stretch = stretchReport(report.perChart);
   report.packingEfficiency = results.atlas->efficiency;
+  const double limit = stretchLimit(results.parameters, results.chartRuns != nullptr);
+  for (const Index c : chartsAbove(limit, *results.unwrap)) {
+    report.aboveLimit.push_back({c, results.unwrap->charts[c].distortion.l2, limit});
+  }
 }
 
 ResultReport resultReport(const Results& results) {

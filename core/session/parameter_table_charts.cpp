@@ -43,8 +43,9 @@ std::vector<ParameterInfo> chartRows() {
        .format = "%.2f",
        .stage = Stage::Request,
        .group = "Charts",
-       .help = "\"Fewest pieces\" and --charts=auto look for the smallest number of pieces that "
-               "stretches no more than this. 1 is none.",
+       .help = "\"Fewest pieces\" and --charts=auto look for the shortest seams, borders of pieces "
+               "and relief cuts inside them, with which no piece stretches more than this. 1 is "
+               "none.",
        .source = ""},
       {.id = "sharp-angle",
        .label = "Sharp edge angle",

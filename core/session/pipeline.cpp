@@ -52,6 +52,7 @@ void Pipeline::takeMesh(std::shared_ptr<const Mesh> mesh) {
   flat_ = shownFlat_ = {};
   unwrapAsked_ = false;
   chartRuns_.reset();
+  found_.reset();
   toldCharts_ = 0;
   toldLiteral_ = false;
   tell(Notice::Kind::Info, "Loaded " + std::to_string(mesh_->triangleCount()) + " triangles in " +
@@ -141,6 +142,7 @@ void Pipeline::reviseSeeds(const Document& before) {
 
 bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   const Document before = std::exchange(document_, document);
+  if (before != document) found_.reset();
   Stage stage = Stage::Layout;
   bool changed = firstDifference(before.parameters, document.parameters, stage);
   if (before.hints != document.hints) {
@@ -209,11 +211,18 @@ void Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
     locksChanged_ = locksChanged_ || before.seeds != document.seeds;
     return;
   }
+  const std::unique_ptr<Pipeline> found = std::move(found_);
   stepper_.reset();
   if (changed && stage == Stage::Mesh) glueAnew(progress);
   if (changed && stage <= Stage::Gauss) makeGaussArea(progress);
   if (changed && stage <= Stage::Graph) makeGraph(progress);
   if (seedsVoid_) return;
+  // The charts of a search for their number need not be made again.
+  if (found && found->mesh_ == mesh_ && found->document_ == document &&
+      found->asRun(false).moment == moment) {
+    seedRuns_.reset();
+    return takeOver(*found);
+  }
   seeds_ = moment.seeds;
   offsets_ = moment.offsets;
   normals_ = moment.normals;

@@ -71,8 +71,8 @@ class Pipeline {
   /// Runs to the end with each of the generator seeds on a thread of its own, and goes on with the
   /// one of the shortest seams among the balanced. The charts of a cancelled call are the old ones.
   StepOutcome stepWithSeeds(Progress& progress);
-  /// Runs with more and more charts until the stretch is small enough, then between; the present
-  /// charts stay. False when cancelled.
+  /// Looks for the shortest seams with which no chart stretches more than allowed, over numbers of
+  /// charts and relief cuts; the present charts stay. False when cancelled.
   bool findChartCount(Progress& progress);
   /// Copies what is known into `results`, the labels and figures as last measured.
   void report(Results& results) const;
@@ -98,15 +98,22 @@ class Pipeline {
   /// True when the stepper holds the charts of the moment already.
   bool standsAt(const FloodMoment& moment) const;
   bool isFlat() const;
-  /// The first two steps of unwrap(): cutting and laying flat.
+  /// The first step of unwrap(): cutting into disks.
+  bool cutOpen(Progress& progress);
+  /// The first two steps: cutting and laying flat.
   bool layFlat(Progress& progress);
-  /// A pipeline of the same mesh that begins anew, run to the end and laid flat; null when
-  /// cancelled.
-  std::unique_ptr<Pipeline> runApart(const Parameters& parameters, Progress& progress) const;
+  /// Whether a run whose charts are cut open is worth to be laid flat.
+  using Worth = std::function<bool(const Run&)>;
+  /// A pipeline of the same mesh that begins anew, run to the end and laid flat where that is
+  /// worth it; null when cancelled.
+  std::unique_ptr<Pipeline> runApart(const Parameters& parameters, const Worth& worth,
+                                     Progress& progress) const;
   /// The figures of such a pipeline, as a run.
   Run asRun(bool withResults) const;
   std::vector<std::unique_ptr<Pipeline>> runAll(std::span<const Parameters> each,
-                                                Progress& progress) const;
+                                                const Worth& worth, Progress& progress) const;
+  /// One search for the number of charts; see pipeline_search.cpp.
+  class ChartSearch;
   /// Goes on where another pipeline of the same mesh stands.
   void takeOver(Pipeline& other);
   /// Forgets the flat stages that do not belong to the present labels and parameters.
@@ -116,6 +123,7 @@ class Pipeline {
   void takeMesh(std::shared_ptr<const Mesh> mesh);
   /// Builds the mesh anew from the same file with the present parameters.
   void glueAnew(Progress& progress);
+  void tellAboveLimit() const;
   void makeGaussArea(Progress& progress);
   void makeGraph(Progress& progress);
   /// Forgets of the present seeds what does not hold for the new values.
@@ -162,6 +170,7 @@ class Pipeline {
   std::optional<FastFlood> fast_;             ///< of the last flood
   std::shared_ptr<const RunSet> seedRuns_;    ///< of the present charts
   std::shared_ptr<const RunSet> chartRuns_;   ///< of the mesh
+  std::unique_ptr<Pipeline> found_;           ///< the chosen one of these, until something changes
   std::shared_ptr<const FloodRecord> flood_;  ///< log of the last flood
   std::size_t floodRound_ = 0;                ///< that it was begun as
   std::size_t roundsSeen_ = 0;                ///< rounds of the stepper's history at the last look

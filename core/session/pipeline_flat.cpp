@@ -1,5 +1,6 @@
 // The stages after the labels: cuts, unwrap and texture.
 
+#include <string>
 #include <utility>
 
 #include "core/base/stopwatch.h"
@@ -7,6 +8,7 @@
 #include "core/pack/layout_atlas.h"
 #include "core/param/unwrap_charts.h"
 #include "core/session/pipeline.h"
+#include "core/session/stretch_limit.h"
 
 namespace chartflood {
 
@@ -45,23 +47,24 @@ void Pipeline::dropStaleFlat() {
   flat_.parameters = document_.parameters;
 }
 
-bool Pipeline::layFlat(Progress& progress) {
+bool Pipeline::cutOpen(Progress& progress) {
   dropStaleFlat();
+  if (flat_.cut) return true;
+  progress.beginPhase("Cutting into disks");
   const Parameters& p = document_.parameters;
-  if (!flat_.cut) {
-    progress.beginPhase("Cutting into disks");
-    CutOptions options{p.cutHandles, p.cutLoops, p.cutTips, p.tip};
-    const bool wavefront = p.handleSearch == "wavefront";
-    options.handleSearch = wavefront ? HandleSearch::Wavefront : HandleSearch::Shortest;
-    options.seed = static_cast<std::uint32_t>(p.rngSeed);
-    timed(timing_.cut, [&] { flat_.cut = cutCharts(*mesh_, *segmentation_, options, progress); });
-    if (!flat_.cut) return false;
-  }
+  CutOptions options{p.cutHandles, p.cutLoops, p.cutTips, p.tip};
+  const bool wavefront = p.handleSearch == "wavefront";
+  options.handleSearch = wavefront ? HandleSearch::Wavefront : HandleSearch::Shortest;
+  options.seed = static_cast<std::uint32_t>(p.rngSeed);
+  timed(timing_.cut, [&] { flat_.cut = cutCharts(*mesh_, *segmentation_, options, progress); });
+  return flat_.cut != nullptr;
+}
+
+bool Pipeline::layFlat(Progress& progress) {
+  if (!cutOpen(progress)) return false;
   if (!flat_.unwrap) {
     progress.beginPhase("Laying charts flat");
-    using Boundary = UnwrapOptions::Boundary;
-    const UnwrapOptions options{p.unwrap == "circle" ? Boundary::Circle : Boundary::Free,
-                                p.reliefStretch};
+    const UnwrapOptions options = unwrapOptions(document_.parameters);
     timed(timing_.unwrap, [&] {
       UnwrapResult result = unwrapCharts(*mesh_, flat_.cut, options, progress);
       flat_.charts = std::move(result.charts);
@@ -88,7 +91,10 @@ bool Pipeline::unwrap(Progress& progress) {
   }
   const bool cutAnew = shownFlat_.charts != flat_.charts;
   shownFlat_ = flat_;
-  if (cutAnew) tellNotFlat();
+  if (cutAnew) {
+    tellNotFlat();
+    tellAboveLimit();
+  }
   return true;
 }
 
@@ -99,6 +105,12 @@ void Pipeline::tellNotFlat() const {
     tell(Notice::Kind::Warning,
          "Chart " + std::to_string(c) + " could not be flattened: " + problem);
   }
+}
+
+void Pipeline::tellAboveLimit() const {
+  const double limit = stretchLimit(document_.parameters, false);
+  const std::string text = aboveLimitText(limit, *flat_.unwrap);
+  if (!text.empty()) tell(Notice::Kind::Warning, text);
 }
 
 }  // namespace chartflood

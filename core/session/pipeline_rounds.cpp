@@ -134,6 +134,7 @@ void Pipeline::noteFlood(const FloodStart& start) {
 
 StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress) {
   const Stopwatch stopwatch;
+  found_.reset();
   // Who steps on from finished charts wants more rounds: these begin from the best one's seeds.
   if (!stepper_ || finished()) {
     progress.beginPhase("Placing seeds");

@@ -1,5 +1,6 @@
-// Several runs beside each other: generator seeds that are tried, and numbers of charts.
+// Several runs beside each other: how they are made, and the generator seeds that are tried.
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <string>
@@ -7,33 +8,36 @@
 
 #include "core/base/parallel.h"
 #include "core/charts/chart_stats.h"
+#include "core/charts/crease_share.h"
 #include "core/session/pipeline.h"
 
 namespace chartflood {
 
 namespace {
 
-constexpr int kMostRunCharts = 512;
-
 /// The largest generator seed that the parameter may have.
 int largestSeed() { return static_cast<int>(findParameter("rng-seed")->hardMax); }
 
-/// Numbers of charts that are tried together, in this order; the batches are the same for any
-/// number of threads.
-std::vector<std::vector<int>> ladder(int least, int most) {
-  std::vector<std::vector<int>> batches = {{1, 2, 3, 4}};
-  for (int k = 6; k <= kMostRunCharts; k *= 4) batches.push_back({k, k * 4 / 3, 2 * k, k * 8 / 3});
-  for (std::vector<int>& batch : batches) {
-    std::erase_if(batch, [&](int k) { return k < least || k > most; });
+/// The stretch of charts that are laid flat.
+void measureStretch(const Unwrap& unwrap, const ChartStats& stats, Run& run) {
+  double squares = 0, surface = 0, worst = 1;
+  bool all = true;
+  for (std::size_t c = 0; c < unwrap.charts.size(); ++c) {
+    const ChartUv& uv = unwrap.charts[c];
+    all = all && !uv.uv.empty();
+    if (uv.uv.empty()) continue;
+    const double area = stats.charts[c].area;
+    squares += area * uv.distortion.l2 * uv.distortion.l2;
+    surface += area;
+    worst = std::max(worst, uv.distortion.l2);
   }
-  std::erase_if(batches, [](const std::vector<int>& batch) { return batch.empty(); });
-  if (batches.empty()) batches = {{std::min(least, most)}};
-  return batches;
+  run.stretch = surface > 0 ? std::sqrt(squares / surface) : 1;
+  if (all) run.worst = worst;
 }
 
 }  // namespace
 
-std::unique_ptr<Pipeline> Pipeline::runApart(const Parameters& parameters,
+std::unique_ptr<Pipeline> Pipeline::runApart(const Parameters& parameters, const Worth& worth,
                                              Progress& progress) const {
   auto apart = std::make_unique<Pipeline>(Listener{[](const FloodStart&) {}, [](const Notice&) {}});
   apart->document_ = document_;
@@ -48,16 +52,22 @@ std::unique_ptr<Pipeline> Pipeline::runApart(const Parameters& parameters,
   apart->timing_ = {timing_.read, timing_.gaussArea, timing_.floodGraph};
   if (apart->step(StepUnit::Converged, 1, progress) == StepOutcome::Cancelled) return nullptr;
   apart->measure();
+  if (worth) {
+    if (!worth(apart->asRun(false))) return apart;
+    if (!apart->cutOpen(progress)) return nullptr;
+    if (!worth(apart->asRun(false))) return apart;
+  }
   return apart->layFlat(progress) ? std::move(apart) : nullptr;
 }
 
 std::vector<std::unique_ptr<Pipeline>> Pipeline::runAll(std::span<const Parameters> each,
+                                                        const Worth& worth,
                                                         Progress& progress) const {
   std::vector<std::unique_ptr<Pipeline>> pipelines(each.size());
   std::atomic<std::size_t> done{0};
   parallelFor(each.size(), [&](std::size_t i) {
     Progress part(&progress);
-    pipelines[i] = runApart(each[i], part);
+    pipelines[i] = runApart(each[i], worth, part);
     progress.setFraction(static_cast<float>(++done) / static_cast<float>(each.size()));
   });
   return pipelines;
@@ -68,18 +78,18 @@ Run Pipeline::asRun(bool withResults) const {
   run.parameters = document_.parameters;
   run.charts = segmentation_->chartCount;
   if (stats_->balanceDefined) run.spread = stats_->stdOverMean();
-  double length = stats_->seamLength, squares = 0, surface = 0;
-  for (std::size_t c = 0; c < flat_.charts->charts.size(); ++c) {
-    length += flat_.charts->charts[c].cutLength() * mesh_->scale();
-    const ChartUv& uv = flat_.unwrap->charts[c];
-    if (uv.uv.empty()) continue;
-    const double area = stats_->charts[c].area;
-    squares += area * uv.distortion.l2 * uv.distortion.l2;
-    surface += area;
-    run.worst = std::max(run.worst, uv.distortion.l2);
+  run.creases = creaseShare(*mesh_, *gauss_, segmentation_->label);
+  const double unit = stats_->surfaceArea > 0 ? 1 / std::sqrt(stats_->surfaceArea) : 0;
+  run.seams = stats_->seamLength * unit;
+  const ChartSet* charts = flat_.unwrap ? flat_.charts.get() : flat_.cut.get();
+  for (std::size_t c = 0; charts && c < charts->charts.size(); ++c) {
+    for (const Cut& cut : charts->charts[c].cuts) {
+      const double length = cut.length * mesh_->scale() * unit;
+      run.seams += length;
+      if (cut.reason == CutReason::Relief) run.relief += length;
+    }
   }
-  run.seams = stats_->surfaceArea > 0 ? length / std::sqrt(stats_->surfaceArea) : 0;
-  run.stretch = surface > 0 ? std::sqrt(squares / surface) : 1;
+  if (flat_.unwrap) measureStretch(*flat_.unwrap, *stats_, run);
   run.moment = {seeds_, offsets_, mesh_->faceCount(), true, normals_, creases_, fast_};
   if (!withResults) return run;
   auto results = std::make_shared<Results>();
@@ -127,7 +137,7 @@ StepOutcome Pipeline::stepWithSeeds(Progress& progress) {
     const long seed = long{each[i].rngSeed} + static_cast<long>(i);
     each[i].rngSeed = static_cast<int>(seed % (long{largestSeed()} + 1));
   }
-  std::vector<std::unique_ptr<Pipeline>> pipelines = runAll(each, progress);
+  std::vector<std::unique_ptr<Pipeline>> pipelines = runAll(each, {}, progress);
   if (progress.cancelled()) return StepOutcome::Cancelled;
   auto set = std::make_shared<RunSet>();
   for (const auto& pipeline : pipelines) set->runs.push_back(pipeline->asRun(true));
@@ -138,51 +148,6 @@ StepOutcome Pipeline::stepWithSeeds(Progress& progress) {
                                " gives the shortest seams among even charts.");
   seedRuns_ = std::move(set);
   return StepOutcome::Finished;
-}
-
-bool Pipeline::findChartCount(Progress& progress) {
-  const double limit = document_.parameters.maxStretch;
-  auto set = std::make_shared<RunSet>();
-  const auto tryAll = [&](const std::vector<int>& counts) {
-    progress.beginPhase("Trying numbers of charts");
-    std::vector<Parameters> each(counts.size(), document_.parameters);
-    for (std::size_t i = 0; i < counts.size(); ++i) each[i].charts = counts[i];
-    const std::vector<std::unique_ptr<Pipeline>> pipelines = runAll(each, progress);
-    if (progress.cancelled()) return false;
-    for (const auto& pipeline : pipelines) set->runs.push_back(pipeline->asRun(false));
-    std::stable_sort(set->runs.begin(), set->runs.end(),
-                     [](const Run& a, const Run& b) { return a.charts < b.charts; });
-    set->chosen = fewestCharts(set->runs, limit);
-    return true;
-  };
-  const auto fits = [&] { return set->runs[set->chosen].stretch <= limit; };
-  const int most = static_cast<int>(std::min<std::size_t>(mesh_->faceCount(), kMostRunCharts));
-  for (const auto& batch : ladder(static_cast<int>(mesh_->componentCount()), most)) {
-    if (!tryAll(batch)) return false;
-    if (fits()) break;
-  }
-  // Between the first number that fits and the one before it, three at a time.
-  while (fits() && set->chosen > 0) {
-    const int low = static_cast<int>(set->runs[set->chosen - 1].charts);
-    const int gap = static_cast<int>(set->runs[set->chosen].charts) - low;
-    std::vector<int> between;
-    for (int i = 1; i <= 3; ++i) {
-      const int k = low + (gap * i) / 4;
-      if (k > low && k < low + gap && (between.empty() || between.back() != k)) {
-        between.push_back(k);
-      }
-    }
-    if (between.empty()) break;
-    if (!tryAll(between)) return false;
-  }
-  const Run& run = set->runs[set->chosen];
-  if (!fits()) {
-    tell(Notice::Kind::Warning,
-         "No number of charts that was tried stretches as little as asked; " +
-             std::to_string(run.charts) + " stretch least.");
-  }
-  chartRuns_ = std::move(set);
-  return true;
 }
 
 }  // namespace chartflood

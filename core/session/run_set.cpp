@@ -28,16 +28,18 @@ std::size_t shortestBalanced(const std::vector<Run>& runs) {
   return best;
 }
 
-std::size_t fewestCharts(const std::vector<Run>& runs, double limit) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < runs.size(); ++i) {
-    const bool fits = runs[i].stretch <= limit, bestFits = runs[best].stretch <= limit;
-    const bool better = fits != bestFits ? fits
-                        : fits           ? runs[i].charts < runs[best].charts
-                                         : runs[i].stretch < runs[best].stretch;
-    if (better) best = i;
-  }
-  return best;
+std::size_t shortestWithin(const std::vector<Run>& runs, double limit, double creases) {
+  const auto worst = [](const Run& run) {
+    return run.worst.value_or(std::numeric_limits<double>::infinity());
+  };
+  const auto before = [&](const Run& a, const Run& b) {
+    if (a.keeps(limit) != b.keeps(limit)) return a.keeps(limit);
+    if (!a.keeps(limit)) return worst(a) < worst(b);
+    const bool enough = a.creases >= creases;
+    return enough != (b.creases >= creases) ? enough : a.seams < b.seams;
+  };
+  return static_cast<std::size_t>(std::min_element(runs.begin(), runs.end(), before) -
+                                  runs.begin());
 }
 
 }  // namespace chartflood

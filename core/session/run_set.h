@@ -19,8 +19,15 @@ struct Run {
   std::size_t charts = 0;        ///< that it has
   std::optional<double> spread;  ///< standard deviation over mean of Gauss area
   double seams = 0;              ///< borders and cuts over the root of the area
-  double stretch = 0;            ///< L2 of the whole surface: root of the area-weighted mean square
-  double worst = 0;              ///< L2 of the worst chart
+  double relief = 0;             ///< the part of relief cuts in that
+  double creases = 0;            ///< share of the length of sharp edges that lies on borders
+  /// L2 of the whole surface: root of the area-weighted mean square. Absent where the charts were
+  /// not laid flat, their seams being too long as they are.
+  std::optional<double> stretch;
+  std::optional<double> worst;  ///< L2 of the worst chart; absent where not all are laid flat
+
+  /// True when no chart stretches more.
+  bool keeps(double limit) const { return worst && *worst <= limit; }
   FloodMoment moment;            ///< from which its charts can be made again
   std::shared_ptr<const Results> results;  ///< not laid flat; null when they were not kept
 };
@@ -37,8 +44,9 @@ struct RunSet {
 /// count as even. \pre there is a run
 std::size_t shortestBalanced(const std::vector<Run>& runs);
 
-/// Which run has the fewest charts with a stretch of at most `limit`; where none has, the one with
-/// the least stretch. \pre there is a run
-std::size_t fewestCharts(const std::vector<Run>& runs, double limit);
+/// Which run has the shortest seams among those that keep the limit in every chart; of these those
+/// come first whose borders hold at least `creases` of the length of sharp edges. Where none keeps
+/// it, the one with the least worst chart. \pre there is a run that was laid flat
+std::size_t shortestWithin(const std::vector<Run>& runs, double limit, double creases = 0);
 
 }  // namespace chartflood

@@ -140,8 +140,8 @@ class Session {
 
   /// Advances the segmentation; steps asked for while one runs are queued after it.
   void step(StepUnit unit, std::size_t count = 1);
-  /// Looks for the fewest charts whose stretch is at most the parameter's: Results::chartRuns. The
-  /// present charts stay as they are.
+  /// Looks for the shortest seams with which no chart stretches more than the parameter's, over
+  /// numbers of charts and relief cuts: Results::chartRuns. The present charts stay as they are.
   void findChartCount();
   /// Stops the running step at the next face and drops waiting ones. The state stays.
   void stop();

@@ -103,6 +103,7 @@ TEST(Plots, HistogramFollowsTheColourMode) {
 TEST(Plots, AClickUsesATriedNumberOfPieces) {
   WithTab ui("plots", {1280, 1400});
   EXPECT_FALSE(ui.has("plot/counts")) << "nothing was tried";
+  ui.state().perform(ui.actions(), "set relief-stretch 0");  // few pieces would do with cuts
   ui.state().perform(ui.actions(), "find-charts");
   ui.frames(4);
   const auto set = ui.state().results().chartRuns;

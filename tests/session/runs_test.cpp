@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -71,24 +72,83 @@ TEST_F(Runs, TheBestSeedIsTheSameForAnyNumberOfThreadsAndComesBack) {
   EXPECT_EQ(momentOf(*session_.results()), moment);
 }
 
-TEST_F(Runs, TheFewestChartsStretchNoMoreThanAllowed) {
+TEST_F(Runs, WithoutReliefCutsTheFewestChartsKeepTheLimit) {
   Document document;
   document.parameters.maxStretch = 1.05;
+  document.parameters.reliefStretch = 0;
   open("sphere", 1500, document);
   session_.findChartCount();
   const auto set = session_.results()->chartRuns;
   ASSERT_TRUE(set);
   const chartflood::Run& chosen = set->runs[set->chosen];
-  EXPECT_LE(chosen.stretch, 1.05);
+  EXPECT_TRUE(chosen.keeps(1.05));
   EXPECT_GT(chosen.charts, 1u);
   for (const chartflood::Run& run : set->runs) {
     if (run.charts < chosen.charts) {
-      EXPECT_GT(run.stretch, 1.05);
+      EXPECT_GT(run.worst, 1.05);
     }
   }
   EXPECT_TRUE(std::is_sorted(set->runs.begin(), set->runs.end(),
                              [](const auto& a, const auto& b) { return a.charts < b.charts; }));
   EXPECT_FALSE(session_.results()->segmentation) << "the charts stay as they were";
+}
+
+TEST_F(Runs, TheShortestSeamsKeepTheLimitInEveryChart) {
+  Document document;
+  document.parameters.maxStretch = 1.1;
+  for (const char* sample : {"sphere", "bumps", "double-torus"}) {
+    open(sample, 1500, document);
+    session_.findChartCount();
+    const auto set = session_.results()->chartRuns;
+    const chartflood::Run chosen = set->runs[set->chosen];
+    EXPECT_TRUE(chosen.keeps(1.1)) << sample;
+    EXPECT_EQ(chosen.parameters.reliefStretch, 1.1);
+    for (const chartflood::Run& run : set->runs) {
+      EXPECT_EQ(run.stretch.has_value(), run.worst.has_value());
+      if (run.keeps(1.1)) {
+        EXPECT_GE(run.seams, chosen.seams);
+      }
+      if (!run.stretch) {
+        EXPECT_GE(run.seams, chosen.seams) << "only what is too long already is not laid flat";
+      }
+    }
+    // The same values give the same charts, and those of the search are there at once.
+    document.parameters = chosen.parameters;
+    session_.restore(document, chosen.moment);
+    const auto found = session_.results();
+    Session other(Session::Worker::Inline);
+    other.setDocument(document, false);
+    other.openSample(sample, 1500);
+    other.step(StepUnit::Converged);
+    other.unwrap();
+    session_.unwrap();
+    EXPECT_EQ(found->segmentation->label, other.results()->segmentation->label);
+    for (std::size_t c = 0; c < chosen.charts; ++c) {
+      EXPECT_EQ(session_.results()->unwrap->charts[c].uv, other.results()->unwrap->charts[c].uv);
+      EXPECT_LE(other.results()->unwrap->charts[c].distortion.l2, 1.1);
+    }
+    document = {};
+    document.parameters.maxStretch = 1.1;
+  }
+}
+
+TEST_F(Runs, TheSearchIsTheSameForAnyNumberOfThreads) {
+  std::vector<std::vector<Index>> labels;
+  std::vector<double> seams;
+  for (const unsigned threads : {1u, 4u}) {
+    setThreadCount(threads);
+    Session session(Session::Worker::Inline);
+    session.openSample("double-torus", 2000);
+    session.findChartCount();
+    const auto set = session.results()->chartRuns;
+    session.restore(Document{set->runs[set->chosen].parameters, {}, {}},
+                    set->runs[set->chosen].moment);
+    labels.push_back(session.results()->segmentation->label);
+    for (const chartflood::Run& run : set->runs) seams.push_back(run.seams);
+  }
+  EXPECT_EQ(labels[0], labels[1]);
+  ASSERT_EQ(seams.size() % 2, 0u);
+  for (std::size_t i = 0; i < seams.size() / 2; ++i) EXPECT_EQ(seams[i], seams[i + seams.size() / 2]);
 }
 
 TEST_F(Runs, OneChartIsEnoughForAPlane) {

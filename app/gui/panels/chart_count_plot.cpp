@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,16 +36,25 @@ std::size_t nearest(const std::vector<float>& x, float mouse) {
 
 std::string readout(const RunSet& set, std::size_t run) {
   const Run& r = set.runs[run];
-  return std::to_string(r.charts) + (r.charts == 1 ? " piece" : " pieces") + ": stretch " +
-         formatted("%.3f", r.stretch) + ", seams " + formatted("%.2f \u221aarea", r.seams) +
-         (run == set.chosen ? ", the fewest" : "");
+  const std::string stretch =
+      r.stretch ? "stretch " + formatted("%.3f", *r.stretch) + ", " : std::string();
+  return std::to_string(r.charts) + (r.charts == 1 ? " piece: " : " pieces: ") + stretch +
+         "seams " + formatted("%.2f \u221aarea", r.seams) +
+         (r.stretch ? "" : " before relief cuts: too long") +
+         (run == set.chosen ? ", the shortest within the limit" : "");
 }
 
-void curve(const Ui& ui, const std::vector<ImVec2>& points, ImU32 color, std::size_t marked) {
+/// A line through the runs that have a value.
+void curve(const Ui& ui, const std::vector<std::optional<ImVec2>>& points, ImU32 color,
+           std::size_t marked) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, ui.px(2));
+  std::vector<ImVec2> line;
+  for (const auto& point : points) {
+    if (point) line.push_back(*point);
+  }
+  list.AddPolyline(line.data(), static_cast<int>(line.size()), color, 0, ui.px(2));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    list.AddCircleFilled(points[i], ui.px(i == marked ? 4.5f : 2.5f), color);
+    if (points[i]) list.AddCircleFilled(*points[i], ui.px(i == marked ? 4.5f : 2.5f), color);
   }
 }
 
@@ -56,15 +66,15 @@ void chartCountPlot(const Ui& ui, float height) {
   const std::vector<Run>& runs = set->runs;
   double mostStretch = 1.02, mostSeams = 1e-9;
   for (const Run& run : runs) {
-    mostStretch = std::max(mostStretch, run.stretch);
+    mostStretch = std::max(mostStretch, run.stretch.value_or(1));
     mostSeams = std::max(mostSeams, run.seams);
   }
   std::size_t& under = ui.memory.runUnderMouse;
   const std::size_t shown = under < runs.size() ? under : set->chosen;
   const PlotWords words{"Stretch and seams over the number of pieces", "plot/counts",
-                        "Falling: L2 stretch of the whole model, 1 is none; dashed: what is "
-                        "allowed. Rising: length of all seams on a scale of its own. Click a "
-                        "number to use it.",
+                        "L2 stretch of the whole model, 1 is none, and dashed what is allowed in "
+                        "each piece; length of all seams, relief cuts counted, on a scale of its "
+                        "own. Click a number to use it.",
                         readout(*set, shown)};
   const ValueAxis axis{1, 1 + niceTop(mostStretch - 1), "%.3g"};
   const ValueAxis seamAxis{0, niceTop(mostSeams), "%.3g"};
@@ -73,11 +83,12 @@ void chartCountPlot(const Ui& ui, float height) {
   const std::size_t now = area.hovered ? nearest(x, ImGui::GetIO().MousePos.x) : UiMemory::kNowhere;
   if (now != under) ui.wakeIn(0);  // the readout stands above
   under = now;
-  std::vector<ImVec2> stretch, seams;
+  std::vector<std::optional<ImVec2>> stretch, seams;
   std::vector<PlotTick> ticks;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    stretch.push_back({x[i], axis.y(area, runs[i].stretch)});
-    seams.push_back({x[i], seamAxis.y(area, runs[i].seams)});
+    stretch.emplace_back();
+    if (runs[i].stretch) stretch.back() = ImVec2{x[i], axis.y(area, *runs[i].stretch)};
+    seams.push_back(ImVec2{x[i], seamAxis.y(area, runs[i].seams)});
     ticks.push_back({x[i], std::to_string(runs[i].charts)});
   }
   const double limit = ui.state.document().parameters.maxStretch;
@@ -87,7 +98,8 @@ void chartCountPlot(const Ui& ui, float height) {
   if (under < runs.size()) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (const auto& points : {seams, stretch}) {
-      list.AddCircle(points[under], ui.px(6), ui.theme.palette.text, 0, ui.px(1.5f));
+      if (!points[under]) continue;
+      list.AddCircle(*points[under], ui.px(6), ui.theme.palette.text, 0, ui.px(1.5f));
     }
     if (ImGui::IsMouseClicked(0)) ui.run("use-count " + std::to_string(runs[under].charts));
   }
