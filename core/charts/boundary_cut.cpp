@@ -32,6 +32,13 @@ std::vector<double> distanceToBoundary(const ChartSurface& surface) {
   return distances.distances();
 }
 
+bool isOnBoundary(const ChartSurface& surface, Index vertex) {
+  for (Index side = 0; side < surface.opposite.size(); ++side) {
+    if (surface.opposite[side] == kNone && surface.sideStart(side) == vertex) return true;
+  }
+  return false;
+}
+
 bool cutToBoundary(CutChart& chart, Index vertex, CutReason reason) {
   const std::vector<bool> boundary = boundaryVertices(chart.surface);
   CF_CHECK(chart.disk() && !boundary[vertex]);

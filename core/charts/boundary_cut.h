@@ -9,6 +9,9 @@ namespace chartflood {
 /// where there is no way.
 std::vector<double> distanceToBoundary(const ChartSurface& surface);
 
+/// Whether the vertex is on the boundary. Cost: linear.
+bool isOnBoundary(const ChartSurface& surface, Index vertex);
+
 /// Opens a disk along the shortest path of edges from an inner vertex to the boundary (ties to the
 /// lower vertex number), appends the cut to `chart.cuts` and updates its topology. The chart stays
 /// a disk. False, and nothing changed, when there is no such path.

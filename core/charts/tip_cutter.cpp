@@ -90,13 +90,6 @@ std::vector<Index> farMaxima(const ChartSurface& surface, const std::vector<doub
   return tops;
 }
 
-bool onBoundary(const ChartSurface& surface, Index vertex) {
-  for (Index side = 0; side < surface.opposite.size(); ++side) {
-    if (surface.opposite[side] == kNone && surface.sideStart(side) == vertex) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 void cutTips(CutChart& chart, double tip) {
@@ -104,7 +97,7 @@ void cutTips(CutChart& chart, double tip) {
   const std::vector<double> distance = distanceToBoundary(chart.surface);
   const double least = tip * lengths.boundary;
   for (const Index v : farMaxima(chart.surface, distance, least, lengths.mean)) {
-    if (onBoundary(chart.surface, v)) continue;  // an earlier cut went by here
+    if (isOnBoundary(chart.surface, v)) continue;  // an earlier cut went by here
     cutToBoundary(chart, v, CutReason::Tip);
   }
 }

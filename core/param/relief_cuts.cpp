@@ -20,24 +20,24 @@ namespace {
 
 using Boundary = UnwrapOptions::Boundary;
 
-constexpr std::size_t kMostCuts = 40;      // that stay
-constexpr std::size_t kMostTightCuts = 8;  // of maps that cannot be tried loosely: each takes long
-constexpr std::size_t kPatience = 6;       // cuts in a row that may fail to help
-constexpr std::size_t kMostEarnest = 4;    // maps in earnest of one chart
-constexpr double kWorthwhile = 0.05;       // share of what it stretches that a cut has to save
-constexpr double kDeepEnough = 0.1;        // of the greatest distance from the boundary
-constexpr double kOtherPlace = 0.5;        // of a cut's length: places nearer to it are the same
-
+constexpr std::size_t kMostReliefCuts = 40;  // that stay
+constexpr std::size_t kMostTightCuts = 8;    // of maps that cannot be tried loosely: each takes long
+constexpr std::size_t kReliefPatience = 6;   // cuts in a row that may fail to help
+constexpr std::size_t kMostEarnest = 4;      // maps in earnest of one chart
+constexpr double kWorthwhile = 0.05;         // share of what it stretches that a cut has to save
+constexpr double kDeepEnough = 0.1;          // of the greatest distance from the boundary
+constexpr double kOtherPlace = 0.5;          // of a cut's length: places nearer to it are the same
 /// Triangles from which on cuts are looked for on a coarse chart, and triangles of that.
-constexpr std::size_t kLarge = 9000, kCoarse = 4000;
+constexpr std::size_t kLargeChart = 9000, kCoarseTriangles = 4000;
+
 /// A chart with the cuts made so far, and how it lies: the map may cover itself.
-struct Trial {
+struct ReliefTrial {
   CutChart chart;
   FlatAttempt flat;
 };
 
 /// What a chart stretches beyond none; endless with bad triangles.
-double excess(const FlatAttempt& attempt) {
+double excessStretch(const FlatAttempt& attempt) {
   if (!attempt.flat() || attempt.bad > 0) return std::numeric_limits<double>::infinity();
   return attempt.stretch() - 1;
 }
@@ -46,7 +46,7 @@ double excess(const FlatAttempt& attempt) {
 bool clearlyBetter(const FlatAttempt& a, const FlatAttempt& b) {
   if (a.bad != b.bad || a.flat() != b.flat()) return better(a, b);
   return a.bad > 0 ? a.stretch() < (1 - kWorthwhile) * b.stretch()
-                   : excess(a) < (1 - kWorthwhile) * excess(b);
+                   : excessStretch(a) < (1 - kWorthwhile) * excessStretch(b);
 }
 
 /// The places of a surface's vertices after a cut gave some of them copies.
@@ -60,7 +60,7 @@ std::vector<glm::dvec2> carriedOver(const ChartSurface& before, std::span<const 
 }
 
 /// Surroundings from which a cut did not help.
-struct Refused {
+struct RefusedPlace {
   glm::dvec3 center;
   double radius;
 };
@@ -68,7 +68,7 @@ struct Refused {
 /// Which inner vertex to slit from next.
 class ReliefPlace {
  public:
-  ReliefPlace(const Trial& trial, const std::vector<Refused>& refused)
+  ReliefPlace(const ReliefTrial& trial, const std::vector<RefusedPlace>& refused)
       : surface_(trial.chart.surface), flat_(trial.flat), refused_(refused),
         depth_(distanceToBoundary(surface_)) {}
 
@@ -115,23 +115,16 @@ class ReliefPlace {
     return sound;
   }
   bool isRefused(Index vertex) const {
-    return std::any_of(refused_.begin(), refused_.end(), [&](const Refused& place) {
+    return std::any_of(refused_.begin(), refused_.end(), [&](const RefusedPlace& place) {
       return glm::distance(surface_.positions[vertex], place.center) < place.radius;
     });
   }
 
   const ChartSurface& surface_;
   const FlatAttempt& flat_;
-  const std::vector<Refused>& refused_;
+  const std::vector<RefusedPlace>& refused_;
   std::vector<double> depth_;
 };
-
-bool onBoundary(const ChartSurface& surface, Index vertex) {
-  for (Index side = 0; side < surface.opposite.size(); ++side) {
-    if (surface.opposite[side] == kNone && surface.sideStart(side) == vertex) return true;
-  }
-  return false;
-}
 
 class Relief {
  public:
@@ -178,7 +171,7 @@ class Relief {
       if (!direct.empty()) return settle(flatOrCircle(shape, std::move(direct)));
     }
     if (progress_.cancelled()) return true;
-    if (now_.chart.surface.triangleCount() >= kLarge && cutAsCoarse()) {
+    if (now_.chart.surface.triangleCount() >= kLargeChart && cutAsCoarse()) {
       return settle(layFlat(ChartShape(now_.chart.surface), boundary_, progress_));
     }
     if (beginLoosely() && now_.flat.stretch() > limit_) {
@@ -207,12 +200,12 @@ class Relief {
   /// Makes the cuts that a coarse chart of the same shape needs. False when it needs none.
   bool cutAsCoarse() {
     CutChart coarse;
-    coarse.surface = coarseChart(now_.chart.surface, kCoarse);
+    coarse.surface = coarseChart(now_.chart.surface, kCoarseTriangles);
     coarse.topology = topologyOf(coarse.surface);
     if (!coarse.disk()) return false;  // two edges between the same two vertices
     const std::vector<Index> from = Relief(limit_, coarse, boundary_, progress_).looseCuts();
     for (const Index vertex : from) {
-      if (onBoundary(now_.chart.surface, vertex)) continue;
+      if (isOnBoundary(now_.chart.surface, vertex)) continue;
       if (cutToBoundary(now_.chart, vertex, CutReason::Relief)) ++cuts_;
     }
     return !from.empty();
@@ -220,8 +213,8 @@ class Relief {
 
   /// Cuts until the chart, perhaps covering itself, is within the limit. False when it is not.
   bool cutUntilWithin() {
-    while (!progress_.cancelled() && cuts_ < (loose_ ? kMostCuts : kMostTightCuts) &&
-           refusals_ < kPatience) {
+    while (!progress_.cancelled() && cuts_ < (loose_ ? kMostReliefCuts : kMostTightCuts) &&
+           refusals_ < kReliefPatience) {
       if (cutOnce() && now_.flat.keeps(limit_)) return true;
     }
     return false;
@@ -231,9 +224,9 @@ class Relief {
   bool cutOnce() {
     const ReliefPlace place(now_, refused_);
     const Index vertex = place.find();
-    Trial next{now_.chart, {}};
+    ReliefTrial next{now_.chart, {}};
     if (vertex == kNone || !cutToBoundary(next.chart, vertex, CutReason::Relief)) {
-      refusals_ = kPatience;
+      refusals_ = kReliefPatience;
       return false;
     }
     const ChartShape shape(next.chart.surface);
@@ -274,10 +267,10 @@ class Relief {
   double limit_;
   Boundary boundary_;
   const Progress& progress_;
-  Trial now_;
+  ReliefTrial now_;
   bool loose_ = false;    ///< now_ has a map without flips to go on from
   bool changed_ = false;  ///< since the last map in earnest
-  std::vector<Refused> refused_;
+  std::vector<RefusedPlace> refused_;
   std::vector<Index> from_;  ///< where the cuts that stay begin
   std::size_t cuts_ = 0, refusals_ = 0, earnest_ = 0;
 };

@@ -18,7 +18,7 @@ namespace {
 constexpr double kStretchesNot = 1.0005;
 /// Length of such cuts, over that of the boundary, at which nobody need ask what the chart would
 /// stretch without; and the most they may take.
-constexpr double kCheapCuts = 0.01, kMostCuts = 1;
+constexpr double kCheapConeCuts = 0.01, kMostConeCuts = 1;
 
 /// The unfolded chart, opened at its cones and rims, if that lays it flat without stretch.
 std::optional<RelievedChart> openedAndUnfolded(const CutChart& chart, double mostCuts) {
@@ -47,7 +47,7 @@ std::optional<RelievedChart> layThinFlat(const CutChart& chart, bool mayCut,
   }
   const bool opens = thinness.mostlyThin && mayCut;
   if (opens) {
-    if (auto cheap = openedAndUnfolded(chart, kCheapCuts)) return cheap;
+    if (auto cheap = openedAndUnfolded(chart, kCheapConeCuts)) return cheap;
   }
   if (exact.empty() && !opens) return {};
   FlatAttempt solved = layFlat(shape, UnwrapOptions::Boundary::Free, progress);
@@ -55,7 +55,7 @@ std::optional<RelievedChart> layThinFlat(const CutChart& chart, bool mayCut,
     return RelievedChart{std::move(solved), {}};
   }
   if (!exact.empty()) return RelievedChart{measuredMap(shape, std::move(exact)), {}};
-  return openedAndUnfolded(chart, kMostCuts);
+  return openedAndUnfolded(chart, kMostConeCuts);
 }
 
 }  // namespace chartflood

@@ -19,7 +19,7 @@ constexpr double kKeptCreases = 0.7;  // of what the parts between creases have 
 constexpr double kNearer = 0.99;
 
 /// Three numbers between two others, or as many as there are.
-std::vector<int> between(int low, int high) {
+std::vector<int> numbersBetween(int low, int high) {
   std::vector<int> counts;
   for (int i = 1; i <= 3; ++i) {
     const int k = low + (high - low) * i / 4;
@@ -75,8 +75,8 @@ class Pipeline::ChartSearch {
     }
     // Between the first number that fits and the one before it.
     while (fits() && set_.chosen > 0 && failed(set_.runs[set_.chosen - 1])) {
-      const auto counts = between(static_cast<int>(set_.runs[set_.chosen - 1].charts),
-                                  static_cast<int>(chosen().charts));
+      const auto counts = numbersBetween(static_cast<int>(set_.runs[set_.chosen - 1].charts),
+                                         static_cast<int>(chosen().charts));
       if (counts.empty()) break;
       if (!tryAll(counts)) return false;
     }
@@ -90,7 +90,8 @@ class Pipeline::ChartSearch {
     if (!tryAll({high})) return false;
     creases_ = kKeptCreases * chosen().creases;
     int low = least_ - 1;
-    for (auto counts = between(low, high); !counts.empty(); counts = between(low, high)) {
+    for (auto counts = numbersBetween(low, high); !counts.empty();
+         counts = numbersBetween(low, high)) {
       if (!tryAll(counts)) return false;
       for (const Run& run : set_.runs) {
         const int k = static_cast<int>(run.charts);
@@ -133,7 +134,8 @@ class Pipeline::ChartSearch {
     std::vector<Parameters> each(counts.size(), pipeline_.document_.parameters);
     for (std::size_t i = 0; i < counts.size(); ++i) {
       each[i].charts = counts[i];
-      if (each[i].reliefStretch > 0) each[i].reliefStretch = std::min(each[i].reliefStretch, limit_);
+      double& relief = each[i].reliefStretch;
+      if (relief > 0) relief = std::min(relief, limit_);
     }
     auto pipelines =
         pipeline_.runAll(each, [this](const Run& run) { return worth(run); }, progress_);

@@ -60,6 +60,7 @@ TEST(Report, HasEveryKeyOfTheFormat) {
                                   "cut_length",
                                   "crease_share",
                                   "packing_efficiency",
+                                  "above_limit",
                                   "history",
                                   "seed_runs",
                                   "chart_runs",
