@@ -15,7 +15,7 @@ namespace chartflood {
 
 namespace {
 
-constexpr std::size_t kMostCells = 1024;  // a side of the grid
+constexpr std::size_t kMostGridCells = 1024;  // a side of the grid
 
 struct UvBox {
   glm::dvec2 low, high;
@@ -59,7 +59,7 @@ class TriangleGrid {
   TriangleGrid(const UvBox& all, std::size_t triangles) : low_(all.low) {
     const double size = std::max(all.high.x - all.low.x, all.high.y - all.low.y);
     side_ = std::clamp<std::size_t>(
-        static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles))), 1, kMostCells);
+        static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles))), 1, kMostGridCells);
     perUnit_ = size > 0 ? static_cast<double>(side_) / size : 0;
   }
   std::size_t side() const { return side_; }
