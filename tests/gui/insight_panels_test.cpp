@@ -108,7 +108,7 @@ TEST(Plots, AClickUsesATriedNumberOfPieces) {
   ui.frames(4);
   const auto set = ui.state().results().chartRuns;
   ASSERT_TRUE(set);
-  ASSERT_GT(set->runs.size(), 3u);
+  ASSERT_GE(set->runs.size(), 2u);
   const ProbedItem plot = ui.item("bars/plot/counts");
   // Equal ratios of pieces take equal widths.
   const float margin = 8, width = plot.max.x - plot.min.x - 2 * margin;
@@ -118,7 +118,7 @@ TEST(Plots, AClickUsesATriedNumberOfPieces) {
     const double share = (std::log(set->runs[run].charts) - first) / span;
     return ImVec2{plot.min.x + margin + static_cast<float>(share) * width, plot.center().y};
   };
-  for (const std::size_t run : {std::size_t{0}, std::size_t{2}, set->runs.size() - 1}) {
+  for (const std::size_t run : {std::size_t{0}, set->runs.size() - 1}) {
     const std::string number = std::to_string(set->runs[run].charts);
     ui.moveTo(place(run));
     ui.frames(2);

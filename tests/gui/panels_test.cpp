@@ -193,11 +193,12 @@ TEST(Panels, TheTrackballTurnsFreelyAndComesUprightAgain) {
   const auto turn = [&] {
     const ImVec2 low = ui.item("view").min;
     ui.frames(40);
-    ui.moveTo({low.x + 320, low.y + 90});
+    // Below what was told when the model was opened.
+    ui.moveTo({low.x + 320, low.y + 220});
     ui.press();
     for (int i = 1; i < 8; ++i) {
       ui.moveTo(
-          {low.x + 320 + 25 * static_cast<float>(i), low.y + 90 + 40 * static_cast<float>(i)});
+          {low.x + 320 + 25 * static_cast<float>(i), low.y + 220 + 40 * static_cast<float>(i)});
     }
     ui.release();
     ui.frames(1);

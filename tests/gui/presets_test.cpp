@@ -94,7 +94,7 @@ class PresetFile : public ::testing::Test {
 
 TEST_F(PresetFile, SurvivesTheSettingsFile) {
   Parameters parameters;
-  parameters.charts = 7;
+  askCharts(parameters, 7);
   parameters.speedPower = 2.25;
   parameters.unwrap = "circle";
   Preferences likes;
