@@ -195,7 +195,7 @@ std::shared_ptr<const Mesh> hillWithSlivers(double height) {
       continue;
     }
     const auto tip = static_cast<Index>(positions.size());
-    positions.push_back(positions[v[0]] + 0.02 * (positions[v[1]] - positions[v[0]]) +
+    positions.push_back(positions[v[0]] + 0.0005 * (positions[v[1]] - positions[v[0]]) +
                         height * (positions[v[2]] - positions[v[0]]));
     for (int i = 0; i < 3; ++i) faces.push_back({v[i], v[(i + 1) % 3], tip});
   }
@@ -210,8 +210,9 @@ TEST(Thin, SliversInACurvedChartDoNoHarm) {
     const UnwrapResult result = test::unwrapWhole(*hillWithSlivers(height), kFreeWithSlits);
     const ChartUv& chart = result.unwrap->charts[0];
     ASSERT_EQ(chart.problem, "");
-    EXPECT_NEAR(chart.distortion.l2, without, 2e-3);
-    EXPECT_NEAR(stretchOf(result.charts->charts[0].surface, chart.uv), without, 2e-3);
+    EXPECT_NEAR(chart.distortion.l2, without, 1e-4);
+    EXPECT_LT(chart.distortion.linf, 2) << "a sliver would be sheared by tens if its foot moved";
+    EXPECT_NEAR(stretchOf(result.charts->charts[0].surface, chart.uv), without, 1e-4);
     EXPECT_EQ(test::badTriangles(result.charts->charts[0].surface, chart.uv), 0u);
     EXPECT_EQ(test::crossings(result.charts->charts[0].surface, chart.uv), 0u);
   }
