@@ -163,6 +163,27 @@ TEST(GltfDraco, RefusesWhatItCannotUnpack) {
             std::string::npos);
 }
 
+/// Hostile data end in the program that unpacks them, whatever they do there.
+TEST(GltfDraco, ChangedBytesAreTakenOrRefused) {
+  const Grid grid;
+  const std::string packed = dracoBytes(grid, draco::MESH_EDGEBREAKER_ENCODING, 8);
+  const json document = dracoDocument(grid, packed.size());
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < 40; ++i) {
+    std::string changed = packed;
+    const std::size_t at = i < 20 ? i : i * 7919 % packed.size();
+    changed[at] = static_cast<char>(changed[at] ^ (i % 2 == 0 ? 0xff : 0x10));
+    try {
+      const auto mesh = readBytes("a.glb", glbFile(document, changed));
+      for (const Index corner : mesh->corners) ASSERT_LT(corner, mesh->positions.size());
+    } catch (const ReadError& error) {
+      EXPECT_LE(error.cause().size(), 300u);
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 10u);
+}
+
 // meshoptimizer
 
 struct Packed {
