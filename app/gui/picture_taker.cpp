@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <span>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <glm/gtc/constants.hpp>
 
@@ -14,6 +16,7 @@
 #include "app/host/standard_paths.h"
 #include "core/base/error.h"
 #include "core/base/failure.h"
+#include "core/io/file_output.h"
 #include "render/image.h"
 #include "render/offscreen_render.h"
 
@@ -191,7 +194,8 @@ void PictureTaker::write(const AppState& state, const PictureRequest& request, I
         Outcome outcome;
         try {
           const std::filesystem::path file = targetOf(request, model, mode);
-          writePng(image, file, texts);
+          const std::vector<std::uint8_t> bytes = encodePng(image, texts);
+          writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
           outcome = {true, "Saved " + file.string()};
         } catch (const std::exception& failure) {
           outcome = {false, failureSentence(failure)};

@@ -64,6 +64,18 @@ class PictureTakerTest : public ::testing::Test {
   CompareScene scene{live, [] {}};
 };
 
+TEST_F(PictureTakerTest, ALinkStaysALink) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("real.png", folder / "link.png");
+  ASSERT_TRUE(state.perform(actions, "screenshot view=3d file=" + (folder / "link.png").string()));
+  {
+    PictureTaker taker([] {});
+    taker.update(state, scene, 1);
+  }  // waits for the file
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.png"));
+  EXPECT_EQ(readPng(folder / "real.png").width(), 160);
+}
+
 TEST_F(PictureTakerTest, AWipeShowsAOnTheLeftAndTheLiveStateOnTheRight) {
   const Image a = picture("view=3d");
   run("store A");
