@@ -43,13 +43,14 @@ ResultsPtr laidFlat(Session& session, const Invocation& call, const std::string&
   return results;
 }
 
-MethodRun measured(Session& session, const Invocation& call, bool alike) {
+/// \param shown by picture and report, unwrapped as the call asks
+MethodRun measured(Session& session, const Invocation& call, bool alike, bool shown) {
   const auto reported = [](const Results& results) {
     return makeReport(results, {}, CHARTFLOOD_VERSION).results.front();
   };
   const bool showsCircle = call.parameters.unwrap == "circle";
-  const ResultsPtr circle = laidFlat(session, call, "circle", showsCircle && !alike);
-  const ResultsPtr free = laidFlat(session, call, "free", !showsCircle && !alike);
+  const ResultsPtr circle = laidFlat(session, call, "circle", showsCircle && shown);
+  const ResultsPtr free = laidFlat(session, call, "free", !showsCircle && shown);
   const ResultReport onCircle = reported(*circle), outlined = reported(*free);
   MethodRun run;
   run.shown = showsCircle ? circle : free;
@@ -78,40 +79,47 @@ MethodRun measured(Session& session, const Invocation& call, bool alike) {
   return run;
 }
 
+/// True where borders are finished: then all methods' are finished alike, and a second table has
+/// them as each method leaves them. Else there is just that one.
+bool finishesBorders(const Invocation& call) { return call.parameters.refine != "none"; }
+
 std::vector<MethodRun> runsOf(Session& session, const Invocation& call) {
+  const bool finishes = finishesBorders(call);
   std::vector<MethodRun> runs;
   for (const std::string& method : call.compare) {
     Invocation one = call;
-    one.parameters = asLeft(call.parameters, method);
+    one.parameters = comparedWith(call.parameters, method);
     Document document = session.document();
     document.parameters = one.parameters;
     session.setDocument(document, false);
     session.resetSeeds();
     segment(session, one);
-    runs.push_back(measured(session, one, false));
-    if (one.parameters.refine == call.parameters.refine) {
+    runs.push_back(measured(session, one, finishes, true));
+    if (!finishes) continue;
+    const Parameters left = asLeft(call.parameters, method);
+    if (left == one.parameters) {
       runs.push_back(runs.back());
-      runs.back().row.alike = true;
+      runs.back().row.alike = false;
       continue;
     }
-    // Only borders change: finished charts are finished again in the new way.
+    // Only borders change: finished charts are finished again in the other way.
     document = session.document();
-    document.parameters.refine = call.parameters.refine;
+    document.parameters = left;
     session.setDocument(document, true);
     waitForSession(session, call);
     const double milliseconds = runs.back().row.segmentMilliseconds;
-    runs.push_back(measured(session, one, true));
+    runs.push_back(measured(session, one, false, false));
     runs.back().row.segmentMilliseconds = milliseconds;
   }
   return runs;
 }
 
-std::string comparisonReport(const std::vector<MethodRun>& runs) {
+std::string comparisonReport(const std::vector<MethodRun>& runs, bool finishes) {
   Report report = makeReport(*runs.front().shown, {}, CHARTFLOOD_VERSION);
   report.results.clear();
   for (const MethodRun& run : runs) {
     report.comparison.push_back(run.row);
-    if (run.row.alike) continue;
+    if (run.row.alike != finishes) continue;
     report.results.push_back(makeReport(*run.shown, {}, CHARTFLOOD_VERSION).results.front());
   }
   report.peakMemoryBytes = peakMemoryBytes();
@@ -132,7 +140,7 @@ void runComparison(const Invocation& call) {
   std::vector<std::vector<std::string>> captions;
   for (const MethodRun& run : runs) {
     rows.push_back(run.row);
-    if (run.row.alike) continue;
+    if (run.row.alike != finishesBorders(call)) continue;
     shown.push_back(run.shown);
     captions.push_back(comparisonCaption(run.row));
   }
@@ -142,7 +150,7 @@ void runComparison(const Invocation& call) {
     const auto bytes = encodePng(image, pictureTexts(*shown.front()));
     files.emplace_back(call.output, std::string(bytes.begin(), bytes.end()));
   }
-  const std::string report = comparisonReport(runs);
+  const std::string report = comparisonReport(runs, finishesBorders(call));
   if (!call.report.empty() && call.report != "-") files.emplace_back(call.report, report);
   throwIfInterrupted();
   commitAll(files);

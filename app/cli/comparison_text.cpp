@@ -1,5 +1,6 @@
 #include "app/cli/comparison_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -27,14 +28,17 @@ std::string rowText(const ComparisonRow& row) {
 
 std::string comparisonText(std::span<const ComparisonRow> rows) {
   std::string text;
-  for (const bool alike : {false, true}) {
-    text += alike ? "\nThe same borders for all methods\n" : "Charts as each method leaves them\n";
+  for (const bool alike : {true, false}) {
+    const auto inTable = [&](const ComparisonRow& row) { return row.alike == alike; };
+    if (std::none_of(rows.begin(), rows.end(), inTable)) continue;
+    if (!text.empty()) text += '\n';
+    text += alike ? "The same borders for all methods\n" : "Charts as each method leaves them\n";
     text += "                     Gauss area            L2, charts on circles                 free"
             "       seams and cuts      time\n"
             "method      charts  std eq. 3 std/mean       mean        std   median      max       "
             "mean   / sqrt A    cuts         s\n";
     for (const ComparisonRow& row : rows) {
-      if (row.alike == alike) text += rowText(row);
+      if (inTable(row)) text += rowText(row);
     }
   }
   return text;

@@ -24,7 +24,7 @@ void MethodRuns::begin(std::shared_ptr<const Mesh> mesh, const Document& documen
 
 void MethodRuns::beginNext() {
   running_ = document_;
-  running_.parameters = asLeft(document_.parameters, kComparedMethods[done_.size()]);
+  running_.parameters = comparedWith(document_.parameters, kComparedMethods[done_.size()]);
   session_->setDocument(running_, false);
   session_->resetSeeds();
   session_->step(StepUnit::Converged);

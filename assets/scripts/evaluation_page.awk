@@ -100,12 +100,12 @@ END {
   table("Seams", "ours", "left", "seams")
   table("Seconds for the charts, borders included", "ours", "left", "seconds")
   part("The same borders for all", \
-    "Every method's borders are finished in the same way; only t-flooding has a balance to keep, so the rivals'\n" \
-    "are made as short as the way allows. Cells: median over charts of L2 stretch on circles (mean), seams, each\n" \
+    "Every method's borders are finished in the same way; t-flooding keeps its balance, each rival its own\n" \
+    "cost. Cells: median over charts of L2 stretch on circles (mean), seams, each\n" \
     "the median of the generator seeds 1, 2 and 3 of that method; ratios are of the first figure.")
   print "**Tidied face by face (`--refine=moves`): charts stay what their method made them**\n"
   head(); rowsOf("moves", "alike", "median")
-  table("Shortest by minimum cuts (`--refine=cuts`): charts of the rivals become what has short borders", \
+  table("Shortest by minimum cuts (`--refine=cuts`), each method with its own aim as the price", \
         "ours", "alike", "median")
   table("Standard deviation of Gauss area after minimum cuts", "ours", "alike", "gauss")
   part("Pictures", \

@@ -269,7 +269,9 @@ bool BorderMoves::findMove(Index face, Move& move) {
   const double sum = sum_ - move.loss + move.gain;
   const double squares = squares_ - a * a - b * b + (a - move.loss) * (a - move.loss) +
                          (b + move.gain) * (b + move.gain);
-  const double change = move.length + balanceEnergy(sum, squares) - balanceEnergy(sum_, squares_);
+  double change = move.length + balanceEnergy(sum, squares) - balanceEnergy(sum_, squares_);
+  const ChartPrice* price = tables_->options.price;
+  if (price != nullptr) change += price->of(face, to) - price->of(face, from);
   return change < -1e-9;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/progress.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
+#include "core/segment/chart_price.h"
 
 namespace chartflood {
 
@@ -34,6 +35,7 @@ class BorderMoves {
     double creaseFactor = 0.3;  ///< length of a crease against a smooth edge's
     double eta = 0;             ///< steradians a squared normalised unit of surface counts as
     std::span<const double> sideFactor = {};  ///< of hints, on the length of each side; empty: 1
+    const ChartPrice* price = nullptr;  ///< the method's own cost, added to the energy
     /// What all seams together may grow by, as a share of their length at first; below 0: anything.
     double mostLonger = -1;
     std::size_t maxSweeps = 50;
@@ -55,7 +57,7 @@ class BorderMoves {
   double seamLength() const;
   /// Standard deviation of the charts' B over their mean; 0 where they have none.
   double deviation() const;
-  /// The energy above, for tests.
+  /// The energy above without the method's own cost, for tests.
   double energy() const { return seamLength() + balanceEnergy(sum_, squares_); }
 
  private:

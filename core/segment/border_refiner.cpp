@@ -52,11 +52,15 @@ BorderRefiner::BorderRefiner(const SegmentInputs& inputs, std::span<const double
     cuts.creaseWeight = options_.creaseWeight;
     cuts.eta = in_.floodGraph->eta;
     cuts.oneSided = options_.oneSided;
+    // A method's own cost has no way to full weight: charts would leave what it found.
+    cuts.price = options_.price.get();
+    cuts.anneal = options_.price == nullptr;
     if (options_.sideFactor) cuts.sideFactor = *options_.sideFactor;
     cuts_ = std::make_unique<SeamCuts>(*in_.mesh, *in_.gaussArea, faceGauss_, std::move(label_),
                                        charts_, seeds_, cuts);
   } else if (options_.kind == RefineKind::Moves) {
     start_ = label_;
+    if (options_.price) options_.price->fit(label_);
     beginMoves();
   }
 }
@@ -68,6 +72,10 @@ void BorderRefiner::beginMoves() {
     moves.likeCuts = true;
     moves.creaseFactor = options_.creaseWeight;
     moves.mostLonger = kMostLonger;
+  }
+  if (options_.price) {
+    moves.likeCuts = true;
+    moves.price = options_.price.get();
   }
   if (options_.sideFactor) moves.sideFactor = *options_.sideFactor;
   moves_ = std::make_unique<BorderMoves>(*in_.mesh, *in_.gaussArea, faceGauss_, label_, charts_,

@@ -170,6 +170,7 @@ bool FloodRounds::finish(Progress& progress) {
   }
   if (!refiner_) {
     const auto seeds = present().seeds;
+    options_.refine.price = price();
     refiner_ = std::make_unique<BorderRefiner>(in_, faceGauss_, finalLabel_, seeds.size(),
                                                std::vector<Index>(seeds.begin(), seeds.end()),
                                                options_.refine);

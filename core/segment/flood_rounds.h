@@ -77,6 +77,8 @@ class FloodRounds : public Stepper {
   virtual void keepBest() { bestLabel_ = labels(); }
   /// No flood follows for a while: what is made again quickly may go.
   virtual void rest() {}
+  /// What the refinement of the present round's borders is to heed beside seams; null: nothing.
+  virtual std::shared_ptr<ChartPrice> price() const { return nullptr; }
   /// The labels that were kept last.
   virtual std::vector<Index> bestLabels() const { return bestLabel_; }
 

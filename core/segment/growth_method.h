@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/model/flood_record.h"
 #include "core/model/segmentation.h"
+#include "core/segment/chart_price.h"
 #include "core/segment/growth_flood.h"
 
 namespace chartflood {
@@ -30,6 +31,8 @@ class GrowthMethod {
   virtual bool floodAside(const GrowthStart& start, std::shared_ptr<FloodRecord> record,
                           Progress* progress) const = 0;
   virtual std::size_t taken() const = 0;
+  /// The method's own cost of faces, for the refinement of borders after a flood from `start`.
+  virtual std::shared_ptr<ChartPrice> price(const GrowthStart& start) const = 0;
   virtual const std::vector<GrowthFace>& faces() const = 0;
 
   /// Of a finished flood: the cost that the method lowers.

@@ -16,7 +16,7 @@ namespace chartflood {
 
 namespace {
 
-/// These methods know no balance: borders are refined by their length alone.
+/// These methods know no balance: borders are refined by their length and the method's own cost.
 SegmentOptions withoutBalance(SegmentOptions options) {
   options.refine.balanceWeight = options.refine.cleanUp = 0;
   return options;
@@ -88,6 +88,8 @@ class GrowthRounds final : public FloodRounds {
     start_ = std::move(next_);
     return moved;
   }
+
+  std::shared_ptr<ChartPrice> price() const override { return method_->price(start_); }
 
   void standAt(const IterationSummary& round) override { start_ = {round.seeds, round.normals}; }
 

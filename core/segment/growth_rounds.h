@@ -12,7 +12,7 @@ namespace chartflood {
 
 /// Rounds with fewer charts than wanted come first and are not counted against the limit of rounds.
 /// The result is the round with the least cost among those with all charts. Borders are refined at
-/// the end by their length alone: these methods know no balance.
+/// the end by their length and the method's own cost: these methods know no balance.
 std::unique_ptr<Stepper> makeGrowthRounds(const char* id, const SegmentInputs& inputs,
                                           const SegmentOptions& options,
                                           std::unique_ptr<GrowthMethod> method,

@@ -9,6 +9,7 @@
 #include "core/flood/chart_center.h"
 #include "core/segment/disk_guard.h"
 #include "core/segment/growth_rounds.h"
+#include "core/segment/mcgim_price.h"
 #include "core/segment/seeds.h"
 
 namespace chartflood {
@@ -21,7 +22,7 @@ struct PathCost {
 
   float operator()(float here, const glm::vec3& normal, const GrowthFace& face,
                    float length) const {
-    return here + std::max(0.0f, lambda - glm::dot(normal, face.normal)) * length;
+    return here + mcgimStep(lambda, normal, face.normal, length);
   }
 };
 
@@ -79,6 +80,10 @@ class Mcgim final : public GrowthMethod {
   bool finished() const override { return flood_.finished(); }
   std::size_t taken() const override { return flood_.taken(); }
   const std::vector<GrowthFace>& faces() const override { return flood_.graph().faces; }
+
+  std::shared_ptr<ChartPrice> price(const GrowthStart& start) const override {
+    return makeMcgimPrice(flood_.graph(), start, lambda_);
+  }
 
   double measure(const GrowthStart& present) override {
     present_ = present;

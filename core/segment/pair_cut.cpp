@@ -47,6 +47,7 @@ void PairCut::prepareNodes() {
   const SeamLevel& level = *s.level;
   start_.resize(band_.size());
   priced_.resize(band_.size());
+  owned_.assign(band_.size(), 0);
   for (std::size_t v = 0; v < band_.size(); ++v) {
     const Index i = band_[v];
     start_[v] = s.label[i] == a_;
@@ -55,9 +56,12 @@ void PairCut::prepareNodes() {
       if (inPair(level.arcHead[arc])) value += level.arcValue[arc] / 2;
     }
     priced_[v] = value;
+    for (Index k = level.faceBegin[i]; s.price != nullptr && k < level.faceBegin[i + 1]; ++k) {
+      owned_[v] += s.price->of(level.faceOfNode[k], a_) - s.price->of(level.faceOfNode[k], b_);
+    }
   }
   inA_ = start_;
-  now_ = {0, s.charts[a_], s.charts[b_], 0};
+  now_ = {0, s.charts[a_], s.charts[b_], 0, 0};
 }
 
 /// The graph of the open nodes; what surrounds them pulls at their terminals.
@@ -92,7 +96,7 @@ void PairCut::buildGraph(double price) {
 
 void PairCut::setPrice(double price) {
   for (Index v = 0; v < open_.size(); ++v) {
-    const MaxFlow::Amount paid = amountOf(-price * priced_[open_[v]]);
+    const MaxFlow::Amount paid = amountOf(-price * priced_[open_[v]] - owned_[open_[v]]);
     flow_.addTerminal(v, paid - paid_[v]);
     paid_[v] = paid;
   }
@@ -159,6 +163,7 @@ void PairCut::flip(Index bandNode) {
       ++to.euler;
     }
   }
+  now_.own += wasA ? -owned_[bandNode] : owned_[bandNode];
   inA_[bandNode] = wasA ? 0 : 1;
 }
 
@@ -169,7 +174,7 @@ const PairCut::Figures& PairCut::judge() {
   after.remove(state_->charts[b_].value);
   after.add(now_.a.value);
   after.add(now_.b.value);
-  now_.energy = now_.length * state_->unit + after.energy() - balance_->energy();
+  now_.energy = now_.length * state_->unit + now_.own + after.energy() - balance_->energy();
   now_.energy +=
       state_->defect * (defects(now_.a, now_.b) - defects(state_->charts[a_], state_->charts[b_]));
   Candidate& candidate = candidates_[candidateCount_++];
@@ -233,7 +238,8 @@ void PairCut::tryPrices(const Progress& progress) {
 /// this price: balance as a function of what a has is convex, so it lies above its tangent of that
 /// slope. Up to the values at the seam itself, which prices share out between the sides.
 double PairCut::lowerBound(double price, double start) const {
-  const double cut = now_.length * state_->unit + price * (now_.a.value - state_->charts[a_].value);
+  const double cut = now_.length * state_->unit + now_.own +
+                     price * (now_.a.value - state_->charts[a_].value);
   if (price == start) return cut;
   const double curvature = balance_->curvature();
   if (!(curvature > 0)) return -std::numeric_limits<double>::infinity();

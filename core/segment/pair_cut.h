@@ -36,6 +36,7 @@ class PairCut {
   struct Figures {
     double length = 0;  ///< change of seam length, normalised units
     SeamSums a, b;
+    double own = 0;     ///< change of the method's own cost
     double energy = 0;  ///< change
   };
   struct Candidate {
@@ -66,6 +67,7 @@ class PairCut {
   MaxFlow flow_;
   std::vector<Index> band_;                ///< nodes that may change chart
   std::vector<std::uint8_t> start_, inA_;  ///< of each band node
+  std::vector<double> owned_;              ///< own cost of each band node in a above that in b
   std::vector<double> priced_;             ///< what of each band node's value is paid for
   std::vector<Index> open_;                ///< band nodes of the present graph
   std::vector<Index> numberInGraph_;       ///< of each band node, kNone for decided ones

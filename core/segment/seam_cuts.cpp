@@ -41,6 +41,7 @@ class SeamCuts::Engine {
                                options.sideFactor)),
         label_(std::move(label)), stages_(stagesFor(options)) {
     record_.start = label_;
+    if (options_.price != nullptr) options_.price->fit(label_);
     whole_ = gauss.total() + options.eta * mesh.surfaceArea();
     startEnergy_ = energy();
   }
@@ -68,7 +69,8 @@ class SeamCuts::Engine {
     const SeamLevel level = buildSeamLevel(mesh_, tables_, label_, charts_);  // charts as nodes
     SeamBalance balance = emptyBalance(options_.weight);
     for (const double value : level.value) balance.add(value);
-    return length * unit() + balance.energy();
+    const double own = options_.price != nullptr ? options_.price->total(label_) : 0;
+    return length * unit() + balance.energy() + own;
   }
 
  private:
@@ -135,6 +137,8 @@ class SeamCuts::Engine {
     state_.seen.assign(nodes, 0);
     state_.unit = unit();
     state_.leastGain = kLeastGain;
+    state_.price = options_.price;
+    if (options_.price != nullptr) options_.price->fit(label_);
     state_.defect = kDefect / std::sqrt(charts);
     state_.leastArea =
         (options_.oneSided ? kLeastAreaOneSided : kLeastArea) * mesh_.surfaceArea() / charts;
@@ -178,6 +182,7 @@ class SeamCuts::Engine {
       record_.steps.push_back(step);
     }
     measureBalance();
+    if (any && options_.price != nullptr) options_.price->fit(label_);
     return any;
   }
 

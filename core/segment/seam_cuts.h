@@ -12,6 +12,7 @@
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "core/model/seam_record.h"
+#include "core/segment/chart_price.h"
 
 namespace chartflood {
 
@@ -20,11 +21,12 @@ namespace chartflood {
 ///   seam length (sharp edges times a factor) / sqrt(area) + w * mean_i ((B_i - mean) / mean)^2,
 ///   B_i = A(i) + eta * area(i),
 ///
-/// or with the one-sided balance of SeamBalance. Every chart stays in one piece and keeps at least
-/// a twenty-fifth of the mean area (or what it had), and the sum of max(0, 1 - Euler number) over
-/// the two charts of a cut never grows; where it falls, that counts as a width of a chart. Pairs of
-/// charts without a common chart are cut at the same time; those with one keep their order, so the
-/// result does not depend on the number of threads.
+/// or with the one-sided balance of SeamBalance, and with a method's own cost of faces, which is
+/// fitted again after every pass. Every chart stays in one piece and keeps at least a twenty-fifth
+/// of the mean area (or what it had), and the sum of max(0, 1 - Euler number) over the two charts
+/// of a cut never grows; where it falls, that counts as a width of a chart. Pairs of charts without
+/// a common chart are cut at the same time; those with one keep their order, so the result does not
+/// depend on the number of threads.
 class SeamCuts {
  public:
   struct Options {
@@ -34,6 +36,7 @@ class SeamCuts {
     double eta = 0;             ///< steradians a squared normalised unit of surface counts as
     std::span<const double> sideFactor = {};  ///< of hints, on the length of each side; empty: 1
     bool oneSided = false;                    ///< only charts above their share of the whole cost
+    ChartPrice* price = nullptr;  ///< the method's own cost, added to the energy
     bool clusters = true;  ///< begin on clusters of faces; false: on single faces throughout
     bool anneal = true;    ///< false: the last two stages only, at full weight
   };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/index.h"
+#include "core/segment/chart_price.h"
 #include "core/segment/seam_level.h"
 
 namespace chartflood {
@@ -36,6 +37,7 @@ struct SeamState {
   double unit = 1;       ///< energy of a normalised unit of length
   double leastArea = 0;  ///< charts are not made smaller than this
   double defect = 0;     ///< energy that a chart gains by getting nearer to a disk
+  const ChartPrice* price = nullptr;  ///< the method's own cost of faces
   double leastGain = 0;  ///< of energy, below which a cut is not looked for
 };
 

@@ -19,6 +19,7 @@
 #include "core/model/mesh.h"
 #include "core/model/seam_record.h"
 #include "core/model/segmentation.h"
+#include "core/segment/chart_price.h"
 
 namespace chartflood {
 
@@ -129,6 +130,8 @@ struct RefineOptions {
   bool oneSided = false;        ///< cuts: only charts above their share of the whole cost
   /// Factor on the length of each side of the mesh, from hints; null: 1.
   std::shared_ptr<const std::vector<double>> sideFactor;
+  /// What the method itself pays for a face in a chart, beside seams; null: nothing.
+  std::shared_ptr<ChartPrice> price;
 };
 
 /// What the methods can be told; each uses what it knows.

@@ -10,6 +10,7 @@
 #include "core/base/rng.h"
 #include "core/segment/growth_rounds.h"
 #include "core/segment/seeds.h"
+#include "core/segment/vsa_price.h"
 #include "core/segment/vsa_regions.h"
 
 namespace chartflood {
@@ -42,6 +43,10 @@ class Vsa final : public GrowthMethod {
   bool finished() const override { return flood_.finished(); }
   std::size_t taken() const override { return flood_.taken(); }
   const std::vector<GrowthFace>& faces() const override { return flood_.graph().faces; }
+
+  std::shared_ptr<ChartPrice> price(const GrowthStart& start) const override {
+    return makeVsaPrice(faces(), start.normals);
+  }
 
   double measure(const GrowthStart& present) override {
     present_ = present;

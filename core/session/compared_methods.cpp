@@ -2,6 +2,11 @@
 
 namespace chartflood {
 
+Parameters comparedWith(Parameters parameters, const std::string& method) {
+  parameters.method = method;
+  return parameters;
+}
+
 Parameters asLeft(Parameters parameters, const std::string& method) {
   parameters.method = method;
   if (method != "t-flooding") parameters.refine = "none";

@@ -15,6 +15,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 
 ProgramRun runIn(const TemporaryFolder& folder, std::vector<std::string> words) {
   words.insert(words.begin(), {CHARTFLOOD_PROGRAM, "--sample=bumps", "--triangles=1500"});
@@ -34,16 +35,20 @@ TEST(Compare, EveryMethodIsWhatItIsAlone) {
   for (std::size_t i = 0; i < 3; ++i) {
     std::vector<std::string> words{"--charts=6", "--method=" + methods[i], "--report=-",
                                    "--layout=square"};
-    if (methods[i] != "t-flooding") words.push_back("--refine=none");
     const ProgramRun one = runIn(folder, words);
     ASSERT_EQ(one.exitCode, 0) << one.errors;
     json alone = json::parse(one.output)["results"][0], beside = report["results"][i];
-    const json& left = report["comparison"][2 * i];
-    const json& alike = report["comparison"][2 * i + 1];
+    const json& alike = report["comparison"][2 * i];
+    const json& left = report["comparison"][2 * i + 1];
     EXPECT_EQ(left["method"], methods[i]);
     EXPECT_EQ(left["borders"], "as-left");
     EXPECT_EQ(alike["borders"], "alike");
-    EXPECT_EQ(left["gauss_std_eq3"], alone["gauss_area"]["std_eq3"]);
+    EXPECT_EQ(alike["gauss_std_eq3"], alone["gauss_area"]["std_eq3"]);
+    if (methods[i] != "t-flooding") words.push_back("--refine=none");
+    const ProgramRun grown = runIn(folder, words);
+    ASSERT_EQ(grown.exitCode, 0) << grown.errors;
+    EXPECT_EQ(left["gauss_std_eq3"],
+              json::parse(grown.output)["results"][0]["gauss_area"]["std_eq3"]);
     EXPECT_LE(alike["seam_length_over_sqrt_area"], left["seam_length_over_sqrt_area"]);
     for (json* result : {&alone, &beside}) result->erase("timing_ms");
     EXPECT_EQ(beside, alone);
@@ -60,6 +65,21 @@ TEST(Compare, PrintsATable) {
   ASSERT_EQ(run.exitCode, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("Charts as each method leaves them"));
   EXPECT_THAT(run.output, HasSubstr("The same borders for all methods"));
+}
+
+TEST(Compare, PrintsOneTableWhereBordersStayAsGrown) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words{"--charts=4", "--layout=square", "--compare=vsa,mcgim",
+                                       "--refine=none"};
+  const ProgramRun run = runIn(folder, words);
+  ASSERT_EQ(run.exitCode, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("Charts as each method leaves them"));
+  EXPECT_THAT(run.output, Not(HasSubstr("The same borders for all methods")));
+  std::vector<std::string> reported = words;
+  reported.push_back("--report=-");
+  const json report = json::parse(runIn(folder, reported).output);
+  EXPECT_EQ(report["comparison"].size(), 2u);
+  EXPECT_EQ(report["results"].size(), 2u);
 }
 
 TEST(Compare, DrawsARowForEachMode) {

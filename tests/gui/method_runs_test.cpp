@@ -67,10 +67,8 @@ TEST_F(MethodRunsTest, GiveWhatEachMethodGivesAloneAndCanBeUsed) {
   segment(state, 1200);
   state.perform(actions_, "compare-methods");
   waitForRuns(state);
-  for (const char* line : {"set method vsa", "set refine none"}) {
-    ASSERT_TRUE(state.perform(actions_, line)) << line;
-    state.update(0);
-  }
+  ASSERT_TRUE(state.perform(actions_, "set method vsa"));
+  state.update(0);
   state.session().step(StepUnit::Converged);
   state.session().waitIdle();
   state.update(0);

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <queue>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <gtest/gtest.h>
 
+#include "core/charts/chart_stats.h"
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
+#include "core/segment/mcgim_price.h"
 #include "core/segment/registry.h"
 #include "core/segment/vsa.h"
 #include "core/segment/vsa_regions.h"
@@ -114,6 +117,36 @@ TEST(Vsa, TeleportationOnlyLowersTheCost) {
   options.vsa.teleport = false;
   const auto without = finished("vsa", in, options)->state();
   EXPECT_LE(vsaCost(*in.mesh, with->label, 15), vsaCost(*in.mesh, without->label, 15));
+}
+
+/// Refined borders are shorter, and the method's own cost stays what growth made it, or falls.
+class RefinedGrowth : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Methods, RefinedGrowth, testing::Values("vsa", "mcgim"));
+
+TEST_P(RefinedGrowth, ShortensSeamsAndKeepsItsCost) {
+  const auto in = test::segmentInputs(test::sampleMesh("bumps", 6000));
+  const bool vsa = GetParam() == std::string("vsa");
+  const GrowthGraph graph = buildGrowthGraph(*in.mesh);
+  const auto cost = [&](const Segmentation& state) {
+    if (vsa) return vsaCost(*in.mesh, state.label, state.chartCount);
+    GrowthStart start{state.seeds, {}};
+    for (const Index seed : state.seeds) start.normals.emplace_back(graph.faces[seed].normal);
+    const auto price = makeMcgimPrice(graph, start, 1);
+    price->fit(state.label);
+    return price->total(state.label);
+  };
+  const auto lengthOf = [&](const Segmentation& state) {
+    return measureCharts(*in.mesh, state).seamLength;
+  };
+  const auto grown = finished(GetParam(), in, charts(15))->state();
+  for (const RefineKind kind : {RefineKind::Cuts, RefineKind::Moves}) {
+    SegmentOptions options = charts(15);
+    options.refine.kind = kind;
+    const auto refined = finished(GetParam(), in, options)->state();
+    test::expectValid(*in.mesh, *in.gaussArea, *refined);
+    EXPECT_LT(lengthOf(*refined), 0.95 * lengthOf(*grown));
+    EXPECT_LT(cost(*refined), 1.02 * cost(*grown));
+  }
 }
 
 TEST(Mcgim, SixChartsOfACubeAreItsSides) {

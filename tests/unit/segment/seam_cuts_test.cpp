@@ -9,12 +9,14 @@
 #include "core/base/parallel.h"
 #include "core/base/rng.h"
 #include "core/charts/chart_stats.h"
+#include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
 #include "core/segment/balance.h"
 #include "core/segment/chart_areas.h"
 #include "core/segment/face_clusters.h"
 #include "core/segment/max_flow.h"
 #include "core/segment/seam_cuts.h"
+#include "core/segment/vsa_price.h"
 #include "tests/support/segmentation_checks.h"
 #include "tests/unit/segment/flooded.h"
 
@@ -182,6 +184,38 @@ TEST(SeamCuts, TeethBecomeAStraightLine) {
   Progress progress;
   cuts.run(progress);
   EXPECT_EQ(seam(cuts.labels()), n);
+}
+
+/// Every column of a sheet is as short a seam as any other: the method's own cost draws it to the
+/// fold, two columns away, and proxies fitted on the way make that cost nothing.
+TEST(SeamCuts, TheMethodsOwnCostDrawsTheSeamToTheFold) {
+  const Index n = 20;
+  InputMesh input = test::copyInput(*test::grid(n, false));
+  for (glm::dvec3& p : input.positions) p.z = std::max(0.0, p.x - input.positions[n / 2].x);
+  const auto mesh = test::rebuild(std::move(input));
+  const GaussArea gauss = computeGaussArea(*mesh, 180);
+  const FaceValues face = faceGaussArea(*mesh, gauss);
+  const GrowthGraph graph = buildGrowthGraph(*mesh);
+  std::vector<Index> label(mesh->faceCount()), sides(mesh->faceCount());
+  const std::vector<glm::dvec3> center = faceCentroids(*mesh);
+  double fold = 0;
+  for (Index f = 0; f < label.size(); ++f) {
+    sides[f] = graph.faces[f].normal.x < -0.1f ? 1 : 0;
+    if (sides[f] == 0) fold = std::max(fold, center[f].x);
+  }
+  const double step = std::sqrt(mesh->surfaceArea() / static_cast<double>(n * n));
+  for (Index f = 0; f < label.size(); ++f) label[f] = center[f].x < fold + 1.6 * step ? 0 : 1;
+  ASSERT_NE(label, sides);
+  const auto price = makeVsaPrice(graph.faces, {{0, 0, 1}, {-0.7, 0, 0.7}});
+  SeamCuts alone(*mesh, gauss, face, label, 2, {}, {.weight = 0, .anneal = false});
+  SeamCuts cuts(*mesh, gauss, face, label, 2, {},
+                {.weight = 0, .price = price.get(), .anneal = false});
+  Progress progress;
+  alone.run(progress);
+  EXPECT_TRUE(std::equal(label.begin(), label.end(), alone.labels().begin()));
+  cuts.run(progress);
+  EXPECT_TRUE(std::equal(sides.begin(), sides.end(), cuts.labels().begin()));
+  EXPECT_NEAR(price->total(cuts.labels()), 0, 1e-9);
 }
 
 TEST(SeamCuts, StoppedBeforeItBeginsCutsNothing) {
