@@ -131,7 +131,7 @@ TEST(Plots, AClickUsesATriedNumberOfPieces) {
   }
   ui.state().perform(ui.actions(), "undo");
   ui.frames(4);
-  EXPECT_EQ(ui.state().document().parameters.charts, static_cast<int>(set->runs[2].charts));
+  EXPECT_EQ(ui.state().document().parameters.charts, static_cast<int>(set->runs[0].charts));
 }
 
 TEST(Plots, ADoubleClickUsesARound) {
