@@ -239,9 +239,9 @@ void Contacts::pushFromField(const Group& group) {
   const float total = sumOf(energy);
   if (total == 0) return;
   const float depth = largestOf(deepest);
-  for (const Index shape : {group.field, group.points}) {
-    depths_[shape] = std::max(depths_[shape], depth);
-  }
+  const bool smaller = shapes_[group.field].area < shapes_[group.points].area;
+  float& deepestOf = depths_[smaller ? group.field : group.points];
+  deepestOf = std::max(deepestOf, depth);
   depth_ = std::max(depth_, depth);
   const float ownX = sumOf(fx), ownY = sumOf(fy), turn = sumOf(torque);
   const float wx = a.cos * ownX - a.sin * ownY, wy = a.sin * ownX + a.cos * ownY;

@@ -33,7 +33,7 @@ class Contacts {
   double energy() const { return energy_; }
   double sidePush() const { return sidePush_; }  ///< along the square's side
   double depth() const { return depth_; }        ///< of the deepest point, gaps counted
-  /// Of each shape's deepest contact.
+  /// Of each shape's deepest contact with a wall or a larger shape.
   std::span<const float> depths() const { return depths_; }
 
  private:

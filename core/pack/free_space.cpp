@@ -181,6 +181,18 @@ Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) c
   return best.pose;
 }
 
+bool FreeSpace::fits(const PackShape& shape, const Pose& pose) const {
+  const double c = std::cos(pose.angle), s = std::sin(pose.angle);
+  const auto cellOf = [this](double at) {
+    return std::clamp(static_cast<int>(std::floor((at + side_ / 2) / cell_)) + kFrame, 0,
+                      stride_ - 1);
+  };
+  return std::all_of(shape.points.begin(), shape.points.end(), [&](const PackShape::Point& p) {
+    const int i = cellOf(pose.x + c * p.x - s * p.y), j = cellOf(pose.y + s * p.x + c * p.y);
+    return room_[static_cast<std::size_t>(j * stride_ + i)] >= need_;
+  });
+}
+
 void FreeSpace::lookAt(const Stamp& stamp, double angle, const Room& room, Best& best) const {
   constexpr int kSlack = 2, kFirst = kFrame - kSlack;
   const int last = kFrame + cells_ + kSlack;

@@ -31,6 +31,9 @@ class FreeSpace {
   /// and `turns` turns from `firstAngle` on.
   Pose bestPose(const PackShape& shape, double firstAngle, int turns) const;
 
+  /// Whether the shape keeps the gap there from all that was added.
+  bool fits(const PackShape& shape, const Pose& pose) const;
+
  private:
   static constexpr int kFrame = 4;  ///< cells around the square
 

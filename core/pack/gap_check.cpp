@@ -87,6 +87,19 @@ class PlacedSegments {
   };
   std::span<const Contact> contacts() const { return contacts_; }
 
+  /// Of each contact the smaller chart, every chart once.
+  std::vector<std::size_t> stuck() const {
+    std::vector<std::size_t> charts;
+    for (const auto& [first, second, missing, push] : contacts_) {
+      const bool other =
+          second < charts_.size() && charts_[second].outline->area < charts_[first].outline->area;
+      charts.push_back(other ? second : first);
+    }
+    std::sort(charts.begin(), charts.end());
+    charts.erase(std::unique(charts.begin(), charts.end()), charts.end());
+    return charts;
+  }
+
   /// How far each chart should move. A pair of charts parts by the largest push each way, so that
   /// one that sticks between two arms of the other comes to rest in the middle.
   /// \return the most that is missing anywhere
@@ -320,15 +333,15 @@ class PlacedSegments {
 
 }  // namespace
 
-double settle(std::span<PlacedOutline> charts, const PackGaps& gaps, double scale,
-              const Progress& progress) {
-  constexpr int kSteps = 120, kUntilApart = 40;
+Settled settle(std::span<PlacedOutline> charts, const PackGaps& gaps, double scale, int steps,
+               const Progress& progress) {
+  constexpr int kUntilApart = 40;
   constexpr double kLargestMove = 0.004;
   std::vector<Point> move(charts.size());
   PlacedSegments placed(charts, gaps);
-  for (int i = 0; i < kSteps && !progress.cancelled(); ++i) {
+  for (int i = 0; i < steps && !progress.cancelled(); ++i) {
     placed.measure(scale, i >= kUntilApart);
-    if (placed.contacts().empty()) return scale;
+    if (placed.contacts().empty()) return {true, scale, {}};
     const double most = placed.pushes(move);
     for (std::size_t k = 0; k < charts.size(); ++k) {
       const double length = std::hypot(move[k].x, move[k].y);
@@ -336,9 +349,9 @@ double settle(std::span<PlacedOutline> charts, const PackGaps& gaps, double scal
       charts[k].pose.x += move[k].x, charts[k].pose.y += move[k].y;
     }
     // Slowly at first: most of what is missing can be found by moving.
-    scale *= 1 - std::min(0.02, most) * (0.1 + 0.03 * i) - 1e-8;
+    scale *= 1 - std::min(0.02, most) * (0.1 + 0.015 * i) - 1e-8;
   }
-  return 0;
+  return {false, scale, placed.stuck()};
 }
 
 }  // namespace chartflood

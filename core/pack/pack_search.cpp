@@ -19,12 +19,12 @@ namespace {
 /// overlap a little.
 constexpr double kFirstFills[] = {0.84, 0.87, 0.82, 0.855};
 /// Where charts stay hooked into each other, the next try leaves more room, down to this share.
-constexpr double kLeastFill = 0.08;
+constexpr double kLeastFill = 0.08, kLessFill = 0.8;
 /// How deep charts lie in each other that are hooked, in grains, and how much
 /// smaller they must become at the end to come apart.
 constexpr double kHookedDepth = 2, kHookedCost = 1.5;
 /// Turns tried for every chart that is placed; fewer where there are many charts, and always in
-/// eights, so that boxes lie upright or along the diagonal.
+/// eights, so that boxes lie upright or along the diagonal, or four.
 constexpr int kTurns = 24;
 /// Sides of the cells in which places are looked for, layout units.
 constexpr double kCell = 0.0155, kCoarseCell = 0.025;
@@ -82,7 +82,8 @@ class Search {
  public:
   Search(std::span<const PackShape> shapes, const PackGaps& gaps, const Progress& progress)
       : shapes_(shapes), gaps_(gaps), progress_(progress),
-        turns_(std::clamp(static_cast<int>(60 * kTurns / shapes.size()) / 8 * 8, 8, kTurns)),
+        turns_(std::clamp(static_cast<int>(60 * kTurns / shapes.size()) / 8 * 8,
+                          shapes.size() > kManyCharts ? 4 : 8, kTurns)),
         cell_(shapes.size() <= 60 ? kCell : kCoarseCell) {}
 
   Squeezed start(double firstFill, Rng& rng) const {
@@ -90,7 +91,7 @@ class Search {
     for (Index i = 0; i < all.size(); ++i) all[i] = i;
     Squeezer squeezer(shapes_, gaps_);
     Squeezed best{{}, INFINITY, {}};
-    for (double fill = firstFill; fill > kLeastFill && !progress_.cancelled(); fill *= 0.7) {
+    for (double fill = firstFill; fill > kLeastFill && !progress_.cancelled(); fill *= kLessFill) {
       const double side = sideFor(fill);
       Squeezed next{{side, std::vector<Pose>(shapes_.size())}, 0, {}};
       FreeSpace space = emptySpace(side);
@@ -104,9 +105,16 @@ class Search {
     return best;
   }
 
+  static void scale(PackLayout& layout, double factor) {
+    layout.side *= factor;
+    for (Pose& pose : layout.poses) pose.x *= factor, pose.y *= factor;
+  }
+
   /// Takes out what lies too deep in others and looks for other places for it.
   void unhook(Squeezed& next, Squeezer& squeezer, Rng& rng) const {
+    constexpr double kRoomier = 1.01;
     const double most = kHookedDepth * grainOf(next.layout.side, shapes_.size());
+    scale(next.layout, kRoomier);
     FreeSpace space = emptySpace(next.layout.side);
     std::vector<Index> taken;
     for (Index i = 0; i < shapes_.size(); ++i) {
@@ -152,8 +160,7 @@ class Search {
     void tighten() {
       constexpr double kTighter = 0.99;
       tight_ = best_.layout;
-      tight_.side *= kTighter;
-      for (Pose& pose : tight_.poses) pose.x *= kTighter, pose.y *= kTighter;
+      scale(tight_, kTighter);
       const FreeSpace space = search_.emptySpace(tight_.side);
       footprints_.clear();
       for (std::size_t i = 0; i < tight_.poses.size(); ++i) {

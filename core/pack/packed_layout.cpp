@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/parallel.h"
+#include "core/pack/free_space.h"
 #include "core/pack/gap_check.h"
 #include "core/pack/grid_layout.h"
 #include "core/pack/pack_search.h"
@@ -63,13 +64,58 @@ struct Fitted {
   std::vector<PlacedOutline> charts;
 };
 
-/// Charts that are hooked into each other may need much more room.
-void settleSomehow(Fitted& fitted, double scale, const PackGaps& gaps, const Progress& progress) {
+/// Charts stuck in bays of others are put into any free places that they fit.
+/// \return whether all found one
+bool replaceStuck(Fitted& fitted, std::span<const PackShape> shapes, const Settled& settled,
+                  double layoutScale, const PackGaps& gaps) {
+  constexpr double kCells = 1000;
+  constexpr int kTurns = 16;
+  const double side = layoutScale / settled.scale;
+  FreeSpace space(side, gaps.between * side, gaps.border * side, side / kCells);
+  const auto poseOf = [&](std::size_t i) {
+    const Pose& pose = fitted.charts[i].pose;
+    return Pose{(pose.x - 0.5) * side, (pose.y - 0.5) * side, pose.angle};
+  };
+  std::vector<std::size_t> stuck = settled.stuck;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (!std::binary_search(stuck.begin(), stuck.end(), i)) {
+      space.add(space.footprint(shapes[i], poseOf(i)));
+    }
+  }
+  std::stable_sort(stuck.begin(), stuck.end(),
+                   [&](std::size_t a, std::size_t b) { return shapes[a].area > shapes[b].area; });
+  bool all = true;
+  for (const std::size_t i : stuck) {
+    const Pose found = space.bestPose(shapes[i], fitted.charts[i].pose.angle, kTurns);
+    const bool fits = space.fits(shapes[i], found);
+    if (fits) fitted.charts[i].pose = {found.x / side + 0.5, found.y / side + 0.5, found.angle};
+    space.add(space.footprint(shapes[i], poseOf(i)));
+    all = all && fits;
+  }
+  return all;
+}
+
+/// Parts the charts, by putting those that stay stuck elsewhere or, at last, by much more room.
+void settleSomehow(Fitted& fitted, std::span<const PackShape> shapes, double layoutScale,
+                   double side, const PackGaps& gaps, const Progress& progress) {
+  constexpr int kSteps = 60, kReplacings = 8;
+  constexpr double kSmaller = 0.995;
   const std::vector<PlacedOutline> before = fitted.charts;
-  for (const double room : {1.002, 0.97, 0.9, 0.75, 0.5}) {
-    fitted.scale = settle(fitted.charts, gaps, room * scale, progress);
-    if (fitted.scale > 0 || progress.cancelled()) return;
+  double scale = 1.002 * layoutScale / side;
+  for (int i = 0; i <= kReplacings && !progress.cancelled(); ++i) {
+    const Settled settled =
+        settle(fitted.charts, gaps, scale, i < kReplacings ? kSteps : 2 * kSteps, progress);
+    fitted.scale = settled.apart ? settled.scale : 0;
+    if (settled.apart) return;
+    const bool replaced = replaceStuck(fitted, shapes, settled, layoutScale, gaps);
+    scale = settled.scale * (replaced ? 1 : kSmaller);
+  }
+  for (const double room : {0.97, 0.9, 0.75, 0.5}) {
     fitted.charts = before;
+    const Settled settled =
+        settle(fitted.charts, gaps, room * layoutScale / side, 2 * kSteps, progress);
+    fitted.scale = settled.apart ? settled.scale : 0;
+    if (settled.apart || progress.cancelled()) return;
   }
 }
 
@@ -87,8 +133,9 @@ void makeUpright(Fitted& fitted, std::span<const PackShape> shapes, const PackGa
     turned = true;
   }
   if (!turned) return;
-  upright.scale = settle(upright.charts, gaps, fitted.scale, progress);
-  if (upright.scale >= kUprightWorth * fitted.scale) fitted = std::move(upright);
+  const Settled settled = settle(upright.charts, gaps, fitted.scale, 60, progress);
+  upright.scale = settled.scale;
+  if (settled.apart && settled.scale >= kUprightWorth * fitted.scale) fitted = std::move(upright);
 }
 
 Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> shapes,
@@ -97,9 +144,10 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
   Squeezer squeezer(shapes, {std::max(gaps.between, 0.001), gaps.border});
   // No more than the fields of fine shapes reach beyond the gap.
   constexpr double kSkin = 0.003;
+  const int steps = shapes.size() > kManyCharts ? 50 : 80;
   for (const double depth : {0.5, 0.1, 0.02, 0.004}) {
     squeezer.rest();
-    squeezer.run(layout, {pressureFor(depth, layout.side), 80, kSkin}, progress);
+    squeezer.run(layout, {pressureFor(depth, layout.side), steps, kSkin}, progress);
   }
   Fitted fitted;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
@@ -108,7 +156,7 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
                              shapes[i].center,
                              {pose.x / layout.side + 0.5, pose.y / layout.side + 0.5, pose.angle}});
   }
-  settleSomehow(fitted, layoutScale / layout.side, gaps, progress);
+  settleSomehow(fitted, shapes, layoutScale, layout.side, gaps, progress);
   makeUpright(fitted, shapes, gaps, progress);
   return fitted;
 }
