@@ -144,7 +144,7 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
   Squeezer squeezer(shapes, {std::max(gaps.between, 0.001), gaps.border});
   // No more than the fields of fine shapes reach beyond the gap.
   constexpr double kSkin = 0.003;
-  const int steps = shapes.size() > kManyCharts ? 50 : 80;
+  constexpr int steps = 80;
   for (const double depth : {0.5, 0.1, 0.02, 0.004}) {
     squeezer.rest();
     squeezer.run(layout, {pressureFor(depth, layout.side), steps, kSkin}, progress);
