@@ -187,10 +187,21 @@ bool FreeSpace::fits(const PackShape& shape, const Pose& pose) const {
     return std::clamp(static_cast<int>(std::floor((at + side_ / 2) / cell_)) + kFrame, 0,
                       stride_ - 1);
   };
-  return std::all_of(shape.points.begin(), shape.points.end(), [&](const PackShape::Point& p) {
+  const auto free = [&](const PackShape::Point& p) {
     const int i = cellOf(pose.x + c * p.x - s * p.y), j = cellOf(pose.y + s * p.x + c * p.y);
     return room_[static_cast<std::size_t>(j * stride_ + i)] >= need_;
-  });
+  };
+  if (!std::all_of(shape.points.begin(), shape.points.end(), free)) return false;
+  // What lies between the shape's points: a cell in both shapes has less than no room.
+  const Footprint print = footprint(shape, pose);
+  for (int j = 0; j < print.height; ++j) {
+    const int at = (print.bottom + j) * stride_ + print.left;
+    for (int i = 0; i < print.width; ++i) {
+      const int own = print.room[static_cast<std::size_t>(j * print.width + i)];
+      if (own + room_[static_cast<std::size_t>(at + i)] < 0) return false;
+    }
+  }
+  return true;
 }
 
 void FreeSpace::lookAt(const Stamp& stamp, double angle, const Room& room, Best& best) const {

@@ -23,6 +23,8 @@ constexpr double kLeastFill = 0.08, kLessFill = 0.8;
 /// How deep charts lie in each other that are hooked, in grains, and how much
 /// smaller they must become at the end to come apart.
 constexpr double kHookedDepth = 2, kHookedCost = 1.5;
+/// Among many charts so much is not made good at the end any more.
+constexpr double kStuckDepth = 0.5;
 /// Turns tried for every chart that is placed; fewer where there are many charts, and always in
 /// eights, so that boxes lie upright or along the diagonal, or four.
 constexpr int kTurns = 24;
@@ -30,7 +32,7 @@ constexpr int kTurns = 24;
 constexpr double kCell = 0.0155, kCoarseCell = 0.025;
 /// Share of the square's side from which a shape counts as large.
 constexpr double kLarge = 0.8;
-constexpr int kRepairs = 3;
+constexpr int kRepairs = 4;
 constexpr int kStartSteps = 60, kRoundSteps = 40;
 constexpr std::uint32_t kSeed = 1;
 /// Depths, in grains, that the walls press charts into each other, softest
@@ -97,7 +99,9 @@ class Search {
       FreeSpace space = emptySpace(side);
       place(next.layout, space, largeFirst(all, 0.3, rng), rng);
       squeeze(next, squeezer, kStartDepths, kStartSteps, nullptr);
-      for (int i = 0; i < kRepairs && hooked(next.layout, squeezer); ++i) unhook(next, squeezer, rng);
+      for (int i = 0; i < kRepairs && deeper(repairDepth(), next.layout, squeezer); ++i) {
+        unhook(next, squeezer, rng);
+      }
       if (denser(next, best)) best = std::move(next);
       // Among many the few that still hook are parted at the end.
       if (!hooked(best.layout, squeezer) || shapes_.size() > kManyCharts) break;
@@ -113,7 +117,7 @@ class Search {
   /// Takes out what lies too deep in others and looks for other places for it.
   void unhook(Squeezed& next, Squeezer& squeezer, Rng& rng) const {
     constexpr double kRoomier = 1.01;
-    const double most = kHookedDepth * grainOf(next.layout.side, shapes_.size());
+    const double most = repairDepth() * grainOf(next.layout.side, shapes_.size());
     scale(next.layout, kRoomier);
     FreeSpace space = emptySpace(next.layout.side);
     std::vector<Index> taken;
@@ -242,8 +246,12 @@ class Search {
 
   /// Whether thin shapes lie across each other, which no pressing takes apart.
   static bool hooked(const PackLayout& layout, const Squeezer& squeezer) {
-    return squeezer.depth() > kHookedDepth * grainOf(layout.side, layout.poses.size());
+    return deeper(kHookedDepth, layout, squeezer);
   }
+  static bool deeper(double grains, const PackLayout& layout, const Squeezer& squeezer) {
+    return squeezer.depth() > grains * grainOf(layout.side, layout.poses.size());
+  }
+  double repairDepth() const { return shapes_.size() > kManyCharts ? kStuckDepth : kHookedDepth; }
 
   /// False, and given up early, when it falls behind `best`.
   bool squeeze(Squeezed& next, Squeezer& squeezer, std::span<const double> depths, int steps,

@@ -12,9 +12,10 @@ namespace chartflood {
 
 /// Fineness of shapes, layout units.
 struct ShapeDetail {
-  float spacing = 0;  ///< between points along the outline
-  float cell = 0;     ///< of the distance field
-  float reach = 0;    ///< how far outside the shape its field must be known
+  float spacing = 0;    ///< between points along the outline
+  float tolerance = 0;  ///< how far the outline may lie from the lines between points
+  float cell = 0;       ///< of the distance field
+  float reach = 0;      ///< how far outside the shape its field must be known
 };
 
 /// Signed distance to an outline on a grid, negative inside.

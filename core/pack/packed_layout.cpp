@@ -50,7 +50,9 @@ Sizes measure(std::span<const ChartOutline> outlines) {
 std::vector<PackShape> makeShapes(std::span<const ChartOutline> outlines, const Sizes& sizes,
                                   double spacing, double cell, double mostPoints, double reach) {
   const double unit = grainOf(sizes.side, outlines.size());
+  // Many charts have fewer points, at all of their corners still.
   const ShapeDetail detail{static_cast<float>(std::max(spacing * unit, sizes.length / mostPoints)),
+                           static_cast<float>(0.1 * spacing * unit),
                            static_cast<float>(cell * unit), static_cast<float>(reach)};
   std::vector<PackShape> shapes(outlines.size());
   parallelFor(shapes.size(),
@@ -76,21 +78,21 @@ bool replaceStuck(Fitted& fitted, std::span<const PackShape> shapes, const Settl
     const Pose& pose = fitted.charts[i].pose;
     return Pose{(pose.x - 0.5) * side, (pose.y - 0.5) * side, pose.angle};
   };
-  std::vector<std::size_t> stuck = settled.stuck;
+  // Those that find no other place stay, so that theirs is not free either.
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (!std::binary_search(stuck.begin(), stuck.end(), i)) {
-      space.add(space.footprint(shapes[i], poseOf(i)));
-    }
+    space.add(space.footprint(shapes[i], poseOf(i)));
   }
+  std::vector<std::size_t> stuck = settled.stuck;
   std::stable_sort(stuck.begin(), stuck.end(),
                    [&](std::size_t a, std::size_t b) { return shapes[a].area > shapes[b].area; });
   bool all = true;
   for (const std::size_t i : stuck) {
     const Pose found = space.bestPose(shapes[i], fitted.charts[i].pose.angle, kTurns);
     const bool fits = space.fits(shapes[i], found);
-    if (fits) fitted.charts[i].pose = {found.x / side + 0.5, found.y / side + 0.5, found.angle};
-    space.add(space.footprint(shapes[i], poseOf(i)));
     all = all && fits;
+    if (!fits) continue;
+    fitted.charts[i].pose = {found.x / side + 0.5, found.y / side + 0.5, found.angle};
+    space.add(space.footprint(shapes[i], found));
   }
   return all;
 }
@@ -193,6 +195,12 @@ Fitted searchedLayout(std::span<const ChartOutline> outlines, const PackGaps& ga
   parallelFor(fitted.size(), [&](std::size_t k) {
     fitted[k] = fit(outlines, fine, sizes.scale, layouts[k], gaps, progress);
   });
+  // Among many charts some may have come apart badly; the next layout then has its turn.
+  constexpr double kWell = 0.96;
+  if (fitted.size() < layouts.size() &&
+      fitted.front().scale < kWell * sizes.scale / layouts.front().side && !progress.cancelled()) {
+    fitted.push_back(fit(outlines, fine, sizes.scale, layouts[fitted.size()], gaps, progress));
+  }
   return std::move(fitted.back().scale > fitted.front().scale ? fitted.back() : fitted.front());
 }
 
