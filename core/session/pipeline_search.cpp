@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/segment/crease_regions.h"
+#include "core/segment/part_shares.h"
 #include "core/session/pipeline.h"
 
 namespace chartflood {
@@ -28,6 +29,22 @@ std::vector<int> numbersBetween(int low, int high) {
   return counts;
 }
 
+/// The largest number that gives no more charts than asking for one: separate parts of a kind are
+/// the fewest there are, and crumbs come on top of any number.
+int leastCharts(const Mesh& mesh) {
+  const std::size_t fewest = countWithParts(mesh, 1).charts;
+  std::size_t low = 1, high = mesh.componentCount();
+  while (low < high) {
+    const std::size_t middle = low + (high - low + 1) / 2;
+    if (countWithParts(mesh, middle).charts > fewest) {
+      high = middle - 1;
+    } else {
+      low = middle;
+    }
+  }
+  return static_cast<int>(low);
+}
+
 }  // namespace
 
 /// Runs that were tried and the best of them. Batches are the same for any number of threads: what
@@ -36,7 +53,7 @@ class Pipeline::ChartSearch {
  public:
   ChartSearch(const Pipeline& pipeline, Progress& progress)
       : pipeline_(pipeline), progress_(progress), limit_(pipeline.document_.parameters.maxStretch),
-        least_(static_cast<int>(pipeline.mesh_->componentCount())),
+        least_(leastCharts(*pipeline.mesh_)),
         most_(static_cast<int>(std::min<std::size_t>(pipeline.mesh_->faceCount(),
                                                      std::max(kMostRunCharts, least_)))) {}
 
@@ -75,8 +92,8 @@ class Pipeline::ChartSearch {
     }
     // Between the first number that fits and the one before it.
     while (fits() && set_.chosen > 0 && failed(set_.runs[set_.chosen - 1])) {
-      const auto counts = numbersBetween(static_cast<int>(set_.runs[set_.chosen - 1].charts),
-                                         static_cast<int>(chosen().charts));
+      const auto counts = numbersBetween(set_.runs[set_.chosen - 1].parameters.charts,
+                                         chosen().parameters.charts);
       if (counts.empty()) break;
       if (!tryAll(counts)) return false;
     }
@@ -94,7 +111,7 @@ class Pipeline::ChartSearch {
          counts = numbersBetween(low, high)) {
       if (!tryAll(counts)) return false;
       for (const Run& run : set_.runs) {
-        const int k = static_cast<int>(run.charts);
+        const int k = run.parameters.charts;
         if (k <= low || k >= high) continue;
         if (run.creases < creases_) {
           low = std::max(low, k);
@@ -133,7 +150,7 @@ class Pipeline::ChartSearch {
     progress_.beginPhase("Trying numbers of charts");
     std::vector<Parameters> each(counts.size(), pipeline_.document_.parameters);
     for (std::size_t i = 0; i < counts.size(); ++i) {
-      each[i].charts = counts[i];
+      askCharts(each[i], counts[i]);
       double& relief = each[i].reliefStretch;
       if (relief > 0) relief = std::min(relief, limit_);
     }
@@ -147,12 +164,13 @@ class Pipeline::ChartSearch {
   /// Adds a run; keeps the pipeline if it is the best one now.
   void take(std::unique_ptr<Pipeline> pipeline) {
     set_.runs.push_back(pipeline->asRun(false));
-    const int charts = static_cast<int>(set_.runs.back().charts);
+    const int charts = set_.runs.back().parameters.charts;
     std::stable_sort(set_.runs.begin(), set_.runs.end(),
-                     [](const Run& a, const Run& b) { return a.charts < b.charts; });
+                     [](const Run& a, const Run& b) {
+                       return a.parameters.charts < b.parameters.charts;
+                     });
     set_.chosen = shortestWithin(set_.runs, limit_, creases_);
-    if (static_cast<int>(chosen().charts) != charts) return;
-    pipeline->document_.parameters.charts = charts;
+    if (chosen().parameters.charts != charts) return;
     best_ = std::move(pipeline);
   }
 

@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/session/run_set.h"
 #include "core/session/session.h"
+#include "tests/support/part_models.h"
 
 namespace chartflood {
 namespace {
@@ -149,6 +150,21 @@ TEST_F(Runs, TheSearchIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(labels[0], labels[1]);
   ASSERT_EQ(seams.size() % 2, 0u);
   for (std::size_t i = 0; i < seams.size() / 2; ++i) EXPECT_EQ(seams[i], seams[i + seams.size() / 2]);
+}
+
+TEST_F(Runs, CrumbsAreNoChartsThatAreTried) {
+  test::PartModel model;
+  model.addBall({0, 0, 0}, 1, 24);
+  for (int i = 0; i < 30; ++i) model.addTetrahedron({2, 0.1 * i, 0}, 0.01);
+  session_.openMesh(model.mesh());
+  session_.findChartCount();
+  const auto runs = session_.results()->chartRuns;
+  ASSERT_TRUE(runs);
+  EXPECT_EQ(runs->runs.front().parameters.charts, 1);
+  EXPECT_EQ(runs->runs.front().charts, 31u);
+  for (const chartflood::Run& run : runs->runs) {
+    EXPECT_EQ(run.charts, 30u + static_cast<std::size_t>(run.parameters.charts));
+  }
 }
 
 TEST_F(Runs, OneChartIsEnoughForAPlane) {
