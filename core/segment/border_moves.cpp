@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/parallel.h"
+#include "core/segment/bordered_charts.h"
 #include "core/segment/chart_areas.h"
 
 namespace chartflood {
@@ -155,12 +156,15 @@ BorderMoves::BorderMoves(const Mesh& mesh, const GaussArea& gauss,
   for (const Index seed : seeds) fixed_[seed] = true;
   value_ = chartAreas(mesh, gauss, faceGauss, label_, charts).gaussArea;
   for (Index f = 0; f < label_.size(); ++f) value_[label_[f]] += options.eta * tables_->faceArea(f);
-  for (const double v : value_) {
-    sum_ += v;
-    squares_ += v * v;
+  const std::vector<std::uint8_t> bordered = borderedCharts(mesh, label_, charts);
+  for (std::size_t c = 0; c < charts; ++c) {
+    if (bordered[c] == 0) continue;
+    ++evened_;
+    sum_ += value_[c];
+    squares_ += value_[c] * value_[c];
   }
   const double faces = static_cast<double>(mesh.faceCount());
-  weight_ = options.weight / static_cast<double>(value_.size());
+  weight_ = options.weight / static_cast<double>(evened_);
   if (!options.likeCuts) weight_ *= kCleanUp * std::sqrt(faces / 70000);
   mostLonger_ = options.mostLonger < 0 ? std::numeric_limits<double>::infinity()
                                        : options.mostLonger * seamLength();
@@ -277,7 +281,7 @@ bool BorderMoves::findMove(Index face, Move& move) {
 
 /// The balance term from the sum and the sum of squares of the charts' values.
 double BorderMoves::balanceEnergy(double sum, double squares) const {
-  const double count = static_cast<double>(value_.size());
+  const double count = static_cast<double>(evened_);
   const double mean = sum / count;
   return mean > 1e-12 ? weight_ * (squares / (mean * mean) - count) : 0;
 }
@@ -298,7 +302,7 @@ void BorderMoves::apply(Index face, const Move& move) {
 }
 
 double BorderMoves::deviation() const {
-  const double count = static_cast<double>(value_.size());
+  const double count = static_cast<double>(evened_);
   const double mean = sum_ / count;
   return mean > 1e-12 ? std::sqrt(std::max(0.0, squares_ / (mean * mean * count) - 1)) : 0;
 }

@@ -75,7 +75,8 @@ class BorderMoves {
   std::vector<Index> label_;
   std::vector<bool> fixed_;
   std::vector<double> value_;     ///< B of each chart
-  double sum_ = 0, squares_ = 0;  ///< of value_
+  double sum_ = 0, squares_ = 0;  ///< of value_, of charts with a neighbour
+  std::size_t evened_ = 0;        ///< how many those are
   double weight_ = 0;  ///< W over the number of charts
   double longer_ = 0, mostLonger_ = 0;  ///< growth of the seams so far, and at most
   std::size_t sweepsLeft_ = 0;

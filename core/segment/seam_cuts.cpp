@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/segment/bordered_charts.h"
 #include "core/segment/face_clusters.h"
 #include "core/segment/seam_schedule.h"
 #include "core/segment/seam_sweep.h"
@@ -39,10 +40,14 @@ class SeamCuts::Engine {
       : mesh_(mesh), options_(options), charts_(charts), fixed_(fixed.begin(), fixed.end()),
         tables_(makeSeamTables(mesh, gauss, faceGauss, options.creaseWeight, options.eta,
                                options.sideFactor)),
-        label_(std::move(label)), stages_(stagesFor(options)) {
+        label_(std::move(label)), bordered_(borderedCharts(mesh, label_, charts)),
+        evened_(static_cast<std::size_t>(std::count(bordered_.begin(), bordered_.end(), 1))),
+        stages_(stagesFor(options)) {
     record_.start = label_;
     if (options_.price != nullptr) options_.price->fit(label_);
     whole_ = gauss.total() + options.eta * mesh.surfaceArea();
+    surface_ = mesh.surfaceArea();
+    if (evened_ < charts_) leaveLoneCharts();
     startEnergy_ = energy();
   }
 
@@ -68,22 +73,34 @@ class SeamCuts::Engine {
     }
     const SeamLevel level = buildSeamLevel(mesh_, tables_, label_, charts_);  // charts as nodes
     SeamBalance balance = emptyBalance(options_.weight);
-    for (const double value : level.value) balance.add(value);
+    for (std::size_t c = 0; c < charts_; ++c) {
+      if (bordered_[c] != 0) balance.add(level.value[c]);
+    }
     const double own = options_.price != nullptr ? options_.price->total(label_) : 0;
     return length * unit() + balance.energy() + own;
   }
 
  private:
-  double unit() const { return mesh_.surfaceArea() > 0 ? 1 / std::sqrt(mesh_.surfaceArea()) : 1; }
+  double unit() const { return surface_ > 0 ? 1 / std::sqrt(surface_) : 1; }
+
+  /// Charts that are all of their part count neither as charts nor as surface.
+  void leaveLoneCharts() {
+    const SeamLevel level = buildSeamLevel(mesh_, tables_, label_, charts_);  // charts as nodes
+    for (std::size_t c = 0; c < charts_; ++c) {
+      if (bordered_[c] != 0) continue;
+      whole_ -= level.value[c];
+      surface_ -= level.area[c];
+    }
+  }
 
   /// One-sided balance holds no charts that are to be more even or less: it has no common way.
   std::vector<SeamStage> stagesFor(const Options& options) const {
     const std::size_t faces = mesh_.faceCount();
     if (options.anneal && !options.oneSided) {
-      return seamScheduleTo(options.weight, faces, charts_, options.clusters);
+      return seamScheduleTo(options.weight, faces, evened_, options.clusters);
     }
     std::vector<SeamStage> stages =
-        seamSchedule(faces, charts_, options.clusters, options.anneal);
+        seamSchedule(faces, evened_, options.clusters, options.anneal);
     for (SeamStage& stage : stages) stage.weight *= options.weight;
     return stages;
   }
@@ -91,7 +108,7 @@ class SeamCuts::Engine {
   SeamBalance emptyBalance(double weight) const {
     SeamBalance balance;
     balance.weight = weight;
-    balance.charts = static_cast<double>(charts_);
+    balance.charts = static_cast<double>(evened_);
     if (options_.oneSided) balance.share = std::max(1e-12, whole_ / balance.charts);
     return balance;
   }
@@ -116,8 +133,8 @@ class SeamCuts::Engine {
   bool beginStage(const Progress& progress) {
     if (progress.cancelled()) return false;
     const SeamStage& stage = stages_[stage_];
-    const double charts = static_cast<double>(charts_);
-    state_.band = stage.band * options_.band * std::sqrt(mesh_.surfaceArea() / charts);
+    const double charts = static_cast<double>(evened_);
+    state_.band = stage.band * options_.band * std::sqrt(surface_ / charts);
     FaceClusters clusters = stage.size == 1 && options_.clusters
                                 ? clusterNearSeams(mesh_, label_, ringsOf(state_.band))
                                 : clusterFaces(mesh_, label_, stage.size);
@@ -141,7 +158,7 @@ class SeamCuts::Engine {
     if (options_.price != nullptr) options_.price->fit(label_);
     state_.defect = kDefect / std::sqrt(charts);
     state_.leastArea =
-        (options_.oneSided ? kLeastAreaOneSided : kLeastArea) * mesh_.surfaceArea() / charts;
+        (options_.oneSided ? kLeastAreaOneSided : kLeastArea) * surface_ / charts;
     measureSeamCharts(state_, charts_);
     measureBalance();
     sweep_ = 0;
@@ -188,7 +205,9 @@ class SeamCuts::Engine {
 
   void measureBalance() {
     balance_ = emptyBalance(stages_[stage_].weight);
-    for (const SeamChart& chart : state_.charts) balance_.add(chart.value);
+    for (std::size_t c = 0; c < charts_; ++c) {
+      if (bordered_[c] != 0) balance_.add(state_.charts[c].value);
+    }
   }
 
   void relabel(Index node, Index chart) {
@@ -218,8 +237,11 @@ class SeamCuts::Engine {
   const std::vector<Index> fixed_;
   const SeamTables tables_;
   std::vector<Index> label_;  ///< of each face
+  const std::vector<std::uint8_t> bordered_;  ///< as borderedCharts() has it
+  const std::size_t evened_;                  ///< how many those are
   SeamRecord record_;
-  double whole_ = 0;  ///< B of the whole surface
+  double whole_ = 0;    ///< B of the surface of bordered charts
+  double surface_ = 0;  ///< its area
   double startEnergy_ = 0;
   bool fellBack_ = false;
 

@@ -21,7 +21,8 @@ namespace chartflood {
 ///   seam length (sharp edges times a factor) / sqrt(area) + w * mean_i ((B_i - mean) / mean)^2,
 ///   B_i = A(i) + eta * area(i),
 ///
-/// or with the one-sided balance of SeamBalance, and with a method's own cost of faces, which is
+/// over the charts that have a neighbour and their area; or with the one-sided balance of
+/// SeamBalance, and with a method's own cost of faces, which is
 /// fitted again after every pass. Every chart stays in one piece and keeps at least a twenty-fifth
 /// of the mean area (or what it had), and the sum of max(0, 1 - Euler number) over the two charts
 /// of a cut never grows; where it falls, that counts as a width of a chart. Pairs of charts without

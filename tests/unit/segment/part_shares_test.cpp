@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/charts/chart_stats.h"
 #include "core/segment/balance.h"
 #include "core/segment/crease_start.h"
 #include "core/segment/part_shares.h"
@@ -120,6 +121,28 @@ TEST(PartShares, ClosedCrumbsTakeNothingThoughTheirGaussAreaIsThatOfABall) {
     EXPECT_EQ(charts[0], asked);
     EXPECT_EQ(*std::max_element(charts.begin() + 1, charts.end()), 1u);
   }
+}
+
+TEST(PartShares, ChartsOfABodyAreAsEvenAndTheirSeamsAsShortAsAlone) {
+  test::PartModel alone, among;
+  alone.addBall({0, 0, 0}, 1, 40);
+  among.addBall({0, 0, 0}, 1, 40);
+  // Closed crumbs have twenty times the Gauss area of a chart of the ball.
+  for (Index i = 0; i < 30; ++i) among.addTetrahedron({1.2, 0.03 * i, 0}, 0.01);
+  std::vector<double> spread, seams;
+  for (const auto& model : {alone, among}) {
+    const SegmentInputs in = test::segmentInputs(model.mesh());
+    const Segmentation state = finishedParts(in, 20, SearchKind::Literal);
+    std::vector<double> ball;
+    for (std::size_t c = 0; c < state.chartCount; ++c) {
+      if (in.mesh->faceComponent()[state.seeds[c]] == 0) ball.push_back(state.areas.gaussArea[c]);
+    }
+    ASSERT_EQ(ball.size(), 20u);
+    spread.push_back(balanceOf(ball).stdOverMean());
+    seams.push_back(measureCharts(*in.mesh, state).seamLength);
+  }
+  EXPECT_LE(spread[1], 0.03);
+  EXPECT_NEAR(seams[1], seams[0], 0.05 * seams[0]);
 }
 
 TEST(PartShares, AFlatPartGetsOneChart) {
