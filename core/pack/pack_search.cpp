@@ -23,6 +23,10 @@ constexpr double kLeastFill = 0.08, kLessFill = 0.8;
 /// How deep charts lie in each other that are hooked, in grains, and how much
 /// smaller they must become at the end to come apart.
 constexpr double kHookedDepth = 2, kHookedCost = 1.5;
+/// How deep charts lie in each other, in grains, where they were put on one heap; otherwise they begin
+/// with 15 to 75. And how many cannot make one that matters.
+constexpr double kPiledDepth = 90;
+constexpr std::size_t kFewCharts = 60;
 /// Among many charts so much is not made good at the end any more.
 constexpr double kStuckDepth = 0.5;
 /// Turns tried for every chart that is placed; fewer where there are many charts, and always in
@@ -98,6 +102,7 @@ class Search {
       Squeezed next{{side, std::vector<Pose>(shapes_.size())}, 0, {}};
       FreeSpace space = emptySpace(side);
       place(next.layout, space, largeFirst(all, 0.3, rng), rng);
+      if (piled(next.layout, squeezer)) continue;
       squeeze(next, squeezer, kStartDepths, kStartSteps, nullptr);
       for (int i = 0; i < kRepairs && deeper(repairDepth(), next.layout, squeezer); ++i) {
         unhook(next, squeezer, rng);
@@ -242,6 +247,15 @@ class Search {
     std::vector<Index> some;
     for (std::size_t k = 0; k < wanted; ++k) some.push_back(keys[k].second);
     return some;
+  }
+
+  /// Whether there was no room for the last ones, which then lie on one heap: nothing parts them, and
+  /// squeezing a heap takes a hundred times as long. A few charts lie on each other in any case.
+  bool piled(PackLayout layout, Squeezer& squeezer) const {
+    if (shapes_.size() <= kFewCharts) return false;
+    squeezer.rest();
+    squeezer.run(layout, {pressureFor(kStartDepths[0], layout.side), 1}, progress_);
+    return deeper(kPiledDepth, layout, squeezer);
   }
 
   /// Whether thin shapes lie across each other, which no pressing takes apart.
