@@ -11,9 +11,7 @@ namespace {
 constexpr std::size_t kBlock = 2048;  // triangles that are uploaded together
 }
 
-FloodLayer::FloodLayer(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
-  dry(0);
-}
+FloodLayer::FloodLayer(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) { dry(0); }
 
 void FloodLayer::follow(std::shared_ptr<const FloodRecord> record) {
   record_ = std::move(record);

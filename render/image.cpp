@@ -113,8 +113,8 @@ void beginReading(Reader& reader, ByteReader& source, const std::string& file) {
 
 void requireSanePicture(std::size_t width, std::size_t height, std::size_t mostPixelsOfBytes,
                         const std::string& file) {
-  const std::string claim = "it says that it has " + std::to_string(width) + " x " +
-                            std::to_string(height) + " pixels";
+  const std::string claim =
+      "it says that it has " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
   const auto isAbove = [&](std::size_t most) { return width != 0 && height > most / width; };
   if (isAbove(kMostPixels)) {
     throw ReadError(file, claim + ", and 16384 x 16384 are the most; save it smaller");

@@ -82,9 +82,11 @@ std::string optionText(const OptionInfo& option) {
 /// The formats of meshes, read well apart from tried.
 std::string formatText() {
   std::string text;
-  appendWrapped(text, "Reads " + extensionList(FormatReader::Own) +
-                          ". Tries, through the import library (Assimp), " +
-                          extensionList(FormatReader::Library) + ".", 0, 0);
+  appendWrapped(text,
+                "Reads " + extensionList(FormatReader::Own) +
+                    ". Tries, through the import library (Assimp), " +
+                    extensionList(FormatReader::Library) + ".",
+                0, 0);
   return text;
 }
 

@@ -38,7 +38,7 @@ constexpr double kUndrawnSeconds = 1.0 / 120;
 constexpr double kPassWithPicture = 0.024;  // longer passes leave the 3D view for the next
 /// Failures of passes one after the other that are told before the window gives up.
 constexpr int kMostFailures = 20;
-constexpr int kSettlingFrames = 3;          // Dear ImGui needs some frames to answer an event
+constexpr int kSettlingFrames = 3;  // Dear ImGui needs some frames to answer an event
 
 std::atomic<bool> wokenByWorker{false};
 
@@ -144,8 +144,8 @@ class Window::Parts {
   }
 
   /// Does a part of a pass. What it throws is told, and the window goes on: the work in it is worth
-  /// more than a part of one picture. Unless it never ends: then the copy of the work is kept for the
-  /// next start. \throws what the part threw, when that happens again and again
+  /// more than a part of one picture. Unless it never ends: then the copy of the work is kept for
+  /// the next start. \throws what the part threw, when that happens again and again
   template <typename Part>
   void guarded(Part&& part) {
     try {
@@ -350,7 +350,7 @@ class Window::Parts {
   double deadline_ = 0;
   PassTimes times_;
   double passSeconds_ = 0;
-  int failures_ = 0;  ///< since the last pass without one
+  int failures_ = 0;            ///< since the last pass without one
   bool drawn_ = false;          ///< the last pass changed the window
   double rested_ = 0;           ///< when the next pass may begin
   bool pictureWaited_ = false;  ///< the 3D view was left for the next turn

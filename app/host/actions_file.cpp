@@ -60,23 +60,22 @@ void addFileActions(ActionRegistry& registry) {
          state.panels.browse = PanelState::Browse::Open;
        }});
   registry.bind("Ctrl+O", "browse");
-  registry.add({.id = "sample",
-                .title = "Sample",
-                .help = "Opens a model made by the program.",
-                .arguments = {{"name", ArgumentType::Choice, "which one", true, sampleIds()},
-                              {"triangles", ArgumentType::Integer, "about how many", false}},
-                .refusal = {},
-                .run = [](AppState& state, const Arguments& a) {
-                  const long triangles = a.integer("triangles");
-                  const auto count = static_cast<std::size_t>(std::max(triangles, 0L));
-                  if (triangles < 0 || count > kMostSampleTriangles) {
-                    throw UsageError("A sample has from 1 to " +
-                                     std::to_string(kMostSampleTriangles) +
-                                     " triangles, or 0 for its own number.");
-                  }
-                  state.whenSafe(
-                      [name = a.text("name"), count](AppState& s) { s.openSample(name, count); });
-                }});
+  registry.add(
+      {.id = "sample",
+       .title = "Sample",
+       .help = "Opens a model made by the program.",
+       .arguments = {{"name", ArgumentType::Choice, "which one", true, sampleIds()},
+                     {"triangles", ArgumentType::Integer, "about how many", false}},
+       .refusal = {},
+       .run = [](AppState& state, const Arguments& a) {
+         const long triangles = a.integer("triangles");
+         const auto count = static_cast<std::size_t>(std::max(triangles, 0L));
+         if (triangles < 0 || count > kMostSampleTriangles) {
+           throw UsageError("A sample has from 1 to " + std::to_string(kMostSampleTriangles) +
+                            " triangles, or 0 for its own number.");
+         }
+         state.whenSafe([name = a.text("name"), count](AppState& s) { s.openSample(name, count); });
+       }});
   registry.add({.id = "reload",
                 .title = "Reload",
                 .help = "Reads the present file again.",

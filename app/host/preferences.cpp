@@ -213,10 +213,9 @@ void writePreferences(const Preferences& preferences, const std::filesystem::pat
                      {"many", manyFacesId(preferences.film.many)},
                      {"reduced-motion", preferences.film.reducedMotion},
                      {"picture", pictureJson(preferences.picture)}});
-  writeSettingsFile(stateFolder / kStateName,
-                    {{"window-width", preferences.windowWidth},
-                     {"window-height", preferences.windowHeight},
-                     {"recent-files", preferences.recentFiles}});
+  writeSettingsFile(stateFolder / kStateName, {{"window-width", preferences.windowWidth},
+                                               {"window-height", preferences.windowHeight},
+                                               {"recent-files", preferences.recentFiles}});
 }
 
 }  // namespace chartflood

@@ -140,7 +140,8 @@ PlaneBox boxOf(std::span<const glm::dvec2> uv) {
   return box;
 }
 
-/// Charts whose triangles must be looked at one by one: all others lie apart, as their borders tell.
+/// Charts whose triangles must be looked at one by one: all others lie apart, as their borders
+/// tell.
 std::vector<bool> chartsInDoubt(const Results& results) {
   const auto& uv = results.atlas->uv;
   std::vector<FlatBorder> borders;

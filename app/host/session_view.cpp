@@ -182,9 +182,8 @@ std::vector<ViewRow> checkerRows() {
     return SessionValue(std::string(checkerKindId(view.render.checkerKind)));
   };
   return {{"checker-kind", kind, readCheckerKind},
-          {kCheckerPicture,
-           [](const ViewSettings& view) { return SessionValue(view.checkerFile); }, readCheckerFile,
-           [](const ViewSettings& view) { return !view.checkerFile.empty(); }},
+          {kCheckerPicture, [](const ViewSettings& view) { return SessionValue(view.checkerFile); },
+           readCheckerFile, [](const ViewSettings& view) { return !view.checkerFile.empty(); }},
           shareRow("checker-repeats", &RenderSettings::checkerRepeats, 1, kMostCheckerRepeats),
           shareRow("checker-size", &RenderSettings::checkerSquares, kFewestCheckerSquares,
                    kMostCheckerSquares),
@@ -219,8 +218,8 @@ std::optional<SessionValue> pictureInside(const SessionValue& value,
                                           std::string& refusal) {
   const std::string* name = std::get_if<std::string>(&value);
   if (name == nullptr) return value;  // refused by its kind
-  const Reference picture = folder.empty() ? Reference{{}, "was not opened"}
-                                           : findReference(folder, *name);
+  const Reference picture =
+      folder.empty() ? Reference{{}, "was not opened"} : findReference(folder, *name);
   if (picture) return picture.file.string();
   refusal = "The picture " + shownName(*name) + " on the session's checkerboard " +
             (folder.empty() ? picture.refusal : "was not opened: it " + picture.refusal) +

@@ -1,6 +1,6 @@
 #pragma once
-/// A file of settings as JSON. What a user wrote into it is never lost: what is not understood stays
-/// in it, and a file that cannot be used is put aside, not overwritten.
+/// A file of settings as JSON. What a user wrote into it is never lost: what is not understood
+/// stays in it, and a file that cannot be used is put aside, not overwritten.
 
 #include <filesystem>
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace chartflood {
 
-/// The object in the file; an empty one when there is no file or it cannot be used. Why not is added
-/// to `problem` as the end of a sentence: "is not a JSON object".
+/// The object in the file; an empty one when there is no file or it cannot be used. Why not is
+/// added to `problem` as the end of a sentence: "is not a JSON object".
 nlohmann::ordered_json readSettingsFile(const std::filesystem::path& file, std::string& problem);
 
 /// Replaces the values of the file that `values` names; others stay. A file that cannot be used, or

@@ -24,7 +24,8 @@ UserPreset userPresetOf(std::string name, const Parameters& parameters) {
   for (const ParameterInfo& info : parameterTable()) {
     const std::string_view id = info.id;
     const ParameterValue value = parameterValue(parameters, info);
-    if (!isDefault(parameters, info) && id != "rng-seed") preset.values.emplace_back(info.id, parameterText(value));
+    if (!isDefault(parameters, info) && id != "rng-seed")
+      preset.values.emplace_back(info.id, parameterText(value));
   }
   return preset;
 }

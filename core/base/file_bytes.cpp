@@ -57,8 +57,7 @@ void requireSize(std::size_t size, const FileLimit& limit, const std::string& na
 
 }  // namespace
 
-RegularFile::RegularFile(const std::filesystem::path& file, const FileLimit& limit)
-    : name_(file) {
+RegularFile::RegularFile(const std::filesystem::path& file, const FileLimit& limit) : name_(file) {
   const std::string name = file.string();
   struct stat status = {};
   // Asked before opening, because opening a device can already do something.

@@ -13,10 +13,10 @@ class Interrupted : public Error {
   Interrupted() : Error("Interrupted: nothing was written.") {}
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP are remembered instead of ending the program at once; those
-/// that it was started to ignore stay ignored. A thread of its own hears them: what does not end by
-/// itself within 0.2 s of the first, or at a second one, is ended by it after `cleanUp`, with exit code
-/// 130. Work that must not be cut in two holds an UninterruptedScope.
+/// From now on SIGINT, SIGTERM and SIGHUP are remembered instead of ending the program at once;
+/// those that it was started to ignore stay ignored. A thread of its own hears them: what does not
+/// end by itself within 0.2 s of the first, or at a second one, is ended by it after `cleanUp`,
+/// with exit code 130. Work that must not be cut in two holds an UninterruptedScope.
 ///
 /// Called by the only thread there is, as all later ones inherit that they leave the signals alone;
 /// a second call changes nothing.

@@ -32,9 +32,9 @@ class MinHeap {
   std::size_t size() const { return size_; }
   /// The first entry; of an empty heap, a value above all entries.
   TimedFace top() const { return lines_[0][kRoot]; }
-  /// Of the entries right below the top, one of which is the next, the one that rose there last; the
-  /// top while none did. Followed from step to step it names each of them once, in time to fetch
-  /// what it stands for.
+  /// Of the entries right below the top, one of which is the next, the one that rose there last;
+  /// the top while none did. Followed from step to step it names each of them once, in time to
+  /// fetch what it stands for.
   TimedFace risen() const {
     const TimedFace entry = lines_[risen_ / kArity][risen_ % kArity];
     return entry != kNoEntry ? entry : top();

@@ -81,9 +81,7 @@ class AccessorReader {
   }
 
   const GltfAccessor& accessor() const { return *accessor_; }
-  [[noreturn]] void fail(const std::string& cause) const {
-    data_.source.fail(name_ + " " + cause);
-  }
+  [[noreturn]] void fail(const std::string& cause) const { data_.source.fail(name_ + " " + cause); }
   /// Calls `use(i, element)` for each element, the sparse ones last. Elements without data are 0.
   template <class Use>
   void forEach(std::size_t components, Use&& use) const;

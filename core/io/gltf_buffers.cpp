@@ -92,9 +92,9 @@ std::string_view GltfBuffers::view(std::size_t number, const std::string& owner)
     const std::string_view bytes = part(packed.buffer, packed.offset, packed.length, owner);
     const MeshoptResult result = decodeMeshopt(packed, bytes);
     if (!result.refusal.empty()) {
-      source_.fail("its buffer view " + std::to_string(number) +
-                   " is compressed (EXT_meshopt_compression) and cannot be unpacked: " +
-                   result.refusal);
+      source_.fail(
+          "its buffer view " + std::to_string(number) +
+          " is compressed (EXT_meshopt_compression) and cannot be unpacked: " + result.refusal);
     }
     unpacked_[number] = std::make_unique<std::string>(std::move(result.bytes));
     size_ += unpacked_[number]->size();

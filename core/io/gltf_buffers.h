@@ -35,7 +35,7 @@ class GltfBuffers {
  private:
   struct Buffer {
     std::string_view bytes;
-    std::string decoded;             ///< of text
+    std::string decoded;  ///< of text
     std::unique_ptr<FileBytes> file;
   };
 

@@ -48,9 +48,12 @@ GltfView readView(const GltfJson& view) {
   for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
     if (!extensions.has(name)) continue;
     const GltfJson packed = extensions.part(name);
-    result.meshopt = GltfMeshopt{packed.count("buffer", kNoPart), packed.count("byteOffset", 0),
-                                 packed.count("byteLength", 0),   packed.count("byteStride", 0),
-                                 packed.count("count", 0),        packed.text("mode"),
+    result.meshopt = GltfMeshopt{packed.count("buffer", kNoPart),
+                                 packed.count("byteOffset", 0),
+                                 packed.count("byteLength", 0),
+                                 packed.count("byteStride", 0),
+                                 packed.count("count", 0),
+                                 packed.text("mode"),
                                  packed.text("filter")};
   }
   return result;

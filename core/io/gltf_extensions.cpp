@@ -13,16 +13,39 @@ constexpr std::array<std::string_view, 6> kRead = {
 
 /// Beginnings of the names of extensions that stand on nodes, meshes or primitives and yet leave
 /// the triangles where they are.
-constexpr std::array<std::string_view, 33> kHarmless = {
-    "KHR_materials_",  "KHR_texture_",   "KHR_techniques_",   "KHR_lights_",
-    "KHR_xmp",         "KHR_node_",      "KHR_animation_",    "KHR_interactivity",
-    "KHR_physics_",    "KHR_audio",      "KHR_blend",         "EXT_texture_",
-    "EXT_lights_",     "EXT_materials_", "EXT_mesh_features", "EXT_instance_features",
-    "EXT_structural_", "EXT_feature_",   "EXT_mesh_manifold", "EXT_mesh_primitive_edge_visibility",
-    "EXT_property_",   "MSFT_texture_",  "MSFT_packing_",     "MSFT_lod",
-    "MSFT_audio_",     "VRM",            "MOZ_",              "OMI_",
-    "AGI_",            "CESIUM_",        "ADOBE_materials_",  "NV_materials_",
-    "FB_geometry_metadata"};
+constexpr std::array<std::string_view, 33> kHarmless = {"KHR_materials_",
+                                                        "KHR_texture_",
+                                                        "KHR_techniques_",
+                                                        "KHR_lights_",
+                                                        "KHR_xmp",
+                                                        "KHR_node_",
+                                                        "KHR_animation_",
+                                                        "KHR_interactivity",
+                                                        "KHR_physics_",
+                                                        "KHR_audio",
+                                                        "KHR_blend",
+                                                        "EXT_texture_",
+                                                        "EXT_lights_",
+                                                        "EXT_materials_",
+                                                        "EXT_mesh_features",
+                                                        "EXT_instance_features",
+                                                        "EXT_structural_",
+                                                        "EXT_feature_",
+                                                        "EXT_mesh_manifold",
+                                                        "EXT_mesh_primitive_edge_visibility",
+                                                        "EXT_property_",
+                                                        "MSFT_texture_",
+                                                        "MSFT_packing_",
+                                                        "MSFT_lod",
+                                                        "MSFT_audio_",
+                                                        "VRM",
+                                                        "MOZ_",
+                                                        "OMI_",
+                                                        "AGI_",
+                                                        "CESIUM_",
+                                                        "ADOBE_materials_",
+                                                        "NV_materials_",
+                                                        "FB_geometry_metadata"};
 
 }  // namespace
 
@@ -33,9 +56,8 @@ bool leavesGeometryReadable(std::string_view extension, const GltfJson& file) {
                   [&](std::string_view beginning) { return extension.starts_with(beginning); });
   if (harmless) return true;
   constexpr std::array kGeometry = {"buffers", "bufferViews", "accessors", "meshes", "nodes"};
-  return std::none_of(kGeometry.begin(), kGeometry.end(), [&](const char* list) {
-    return file.standsOnAny(list, extension);
-  });
+  return std::none_of(kGeometry.begin(), kGeometry.end(),
+                      [&](const char* list) { return file.standsOnAny(list, extension); });
 }
 
 }  // namespace chartflood

@@ -11,8 +11,8 @@ namespace {
 
 bool hasTriangles(const GltfPrimitive& primitive) {
   const auto mode = static_cast<GltfMode>(primitive.mode);
-  const bool known = mode == GltfMode::Triangles || mode == GltfMode::Strip ||
-                     mode == GltfMode::Fan;
+  const bool known =
+      mode == GltfMode::Triangles || mode == GltfMode::Strip || mode == GltfMode::Fan;
   return known && (primitive.position != kNoPart || primitive.draco);
 }
 
@@ -113,14 +113,13 @@ void GeometryReader::addTriangles(GltfMode mode, const std::vector<std::uint32_t
 
 bool needsDraco(const GltfDocument& document, const GltfPrimitive& primitive) {
   if (!primitive.draco) return false;
-  const bool required =
-      std::find(document.required.begin(), document.required.end(),
-                "KHR_draco_mesh_compression") != document.required.end();
+  const bool required = std::find(document.required.begin(), document.required.end(),
+                                  "KHR_draco_mesh_compression") != document.required.end();
   const auto hasData = [&](std::size_t accessor) {
     return accessor < document.accessors.size() && document.accessors[accessor].view != kNoPart;
   };
-  const bool hasPlain = hasData(primitive.position) &&
-                        (primitive.indices == kNoPart || hasData(primitive.indices));
+  const bool hasPlain =
+      hasData(primitive.position) && (primitive.indices == kNoPart || hasData(primitive.indices));
   return required || !hasPlain;
 }
 

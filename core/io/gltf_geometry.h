@@ -17,8 +17,8 @@ namespace chartflood {
 
 struct GltfGeometry {
   std::vector<glm::dvec3> positions;
-  std::vector<Index> corners;          ///< three a triangle
-  std::size_t otherPrimitives = 0;     ///< of points and lines, left out
+  std::vector<Index> corners;       ///< three a triangle
+  std::size_t otherPrimitives = 0;  ///< of points and lines, left out
 };
 
 /// What came of compressed triangles; `refusal` tells why there are none.

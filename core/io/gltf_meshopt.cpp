@@ -56,14 +56,14 @@ MeshoptResult decodeMeshopt(const GltfMeshopt& packed, std::string_view bytes) {
   const auto* const begin = reinterpret_cast<const unsigned char*>(bytes.data());
   int error = 0;
   if (packed.mode == "ATTRIBUTES") {
-    error = meshopt_decodeVertexBuffer(data.data(), packed.count, packed.stride, begin,
-                                       bytes.size());
+    error =
+        meshopt_decodeVertexBuffer(data.data(), packed.count, packed.stride, begin, bytes.size());
   } else if (packed.mode == "TRIANGLES") {
-    error = meshopt_decodeIndexBuffer(data.data(), packed.count, packed.stride, begin,
-                                      bytes.size());
+    error =
+        meshopt_decodeIndexBuffer(data.data(), packed.count, packed.stride, begin, bytes.size());
   } else {
-    error = meshopt_decodeIndexSequence(data.data(), packed.count, packed.stride, begin,
-                                        bytes.size());
+    error =
+        meshopt_decodeIndexSequence(data.data(), packed.count, packed.stride, begin, bytes.size());
   }
   if (error == -1) return {"", "it is not of the format that the extension has"};
   if (error != 0) return {"", "its data are broken or cut off"};

@@ -57,8 +57,7 @@ bool getRepairs(std::vector<Repair>& repairs, std::uint64_t count, const Get& ge
 }
 
 template <class T>
-bool take(std::vector<T>& values, std::uint64_t count, std::size_t& room,
-          const Get& get) {
+bool take(std::vector<T>& values, std::uint64_t count, std::size_t& room, const Get& get) {
   if (count > room / sizeof(T)) return false;
   room -= static_cast<std::size_t>(count) * sizeof(T);
   values.resize(static_cast<std::size_t>(count));

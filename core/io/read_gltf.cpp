@@ -30,8 +30,9 @@ class GltfReader {
  public:
   GltfReader(const Source& source, const GltfDocument& document, std::string_view binary,
              const DracoDecoder& draco)
-      : source_(source), document_(document), buffers_(source, document, binary),
-        data_{source, document, buffers_}, draco_(draco), faces_(out_) {}
+      : source_(source), document_(document),
+        buffers_(source, document, binary), data_{source, document, buffers_}, draco_(draco),
+        faces_(out_) {}
 
   InputMesh read();
 
@@ -58,7 +59,7 @@ class GltfReader {
   const DracoDecoder& draco_;
   InputMesh out_;
   FaceBuilder faces_;
-  std::vector<std::size_t> uses_;            ///< of each mesh by nodes yet to come
+  std::vector<std::size_t> uses_;             ///< of each mesh by nodes yet to come
   std::vector<bool> placed_;                  ///< meshes that were there already
   std::size_t repeated_ = 0;                  ///< vertices and corners of those again
   std::map<std::size_t, GltfGeometry> kept_;  ///< meshes that come again

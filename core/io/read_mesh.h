@@ -14,8 +14,8 @@ namespace chartflood {
 ///
 /// The format follows from the extension (any case): OBJ, PLY (ASCII and binary), OFF, STL (ASCII
 /// and binary), glTF/GLB, 3MF, and what the import library opens besides (meshFormats()); when the
-/// extension is missing or unknown, from the content. Coordinates are in the file's units; glTF, 3MF
-/// and library formats have their node transforms applied. Findings of the reader are in
+/// extension is missing or unknown, from the content. Coordinates are in the file's units; glTF,
+/// 3MF and library formats have their node transforms applied. Findings of the reader are in
 /// InputMesh::repairs; gluing and dropping is the work of buildMesh().
 ///
 /// \param progress may be null; its phase is "Reading". Cancelling returns null.

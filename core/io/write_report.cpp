@@ -159,9 +159,8 @@ Json trianglesWithoutArea(const ResultReport& result) {
 Json aboveLimitJson(const std::vector<AboveLimit>& charts) {
   Json json = Json::array();
   for (const AboveLimit& chart : charts) {
-    json.push_back({{"chart", chart.chart},
-                    {"l2_stretch", number(chart.l2)},
-                    {"limit", number(chart.limit)}});
+    json.push_back(
+        {{"chart", chart.chart}, {"l2_stretch", number(chart.l2)}, {"limit", number(chart.limit)}});
   }
   return json;
 }

@@ -37,7 +37,7 @@ EnclosingSquare smallestSquare(const std::vector<glm::dvec2>& hull);
 
 /// The box of the least area around a set of points.
 struct EnclosingBox {
-  double angle = 0;                   ///< turn of the points, radians, that makes the box upright
+  double angle = 0;                ///< turn of the points, radians, that makes the box upright
   glm::dvec2 low{0.0}, size{0.0};  ///< of the turned points' bounding box, its long side across
 };
 

@@ -131,8 +131,7 @@ Footprint FreeSpace::footprint(const PackShape& shape, const Pose& pose) const {
 
 void FreeSpace::add(const Footprint& print) {
   for (int j = 0; j < print.height; ++j) {
-    const std::size_t first =
-        static_cast<std::size_t>((print.bottom + j) * stride_ + print.left);
+    const std::size_t first = static_cast<std::size_t>((print.bottom + j) * stride_ + print.left);
     const short* row = &print.room[static_cast<std::size_t>(j * print.width)];
     for (int i = 0; i < print.width; i += kLanes) {
       const std::size_t at = first + static_cast<std::size_t>(i);

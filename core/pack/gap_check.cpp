@@ -300,7 +300,8 @@ class PlacedSegments {
       if (begin_[a] == begin_[a + 1]) continue;
       const Point& p = segments_[begin_[a]][0];
       for (std::size_t b = 0; b < charts_.size(); ++b) {
-        if (a != b && boxes_[b].holds(p) && winding(p, b) != 0) addOverlap(std::min(a, b), std::max(a, b));
+        if (a != b && boxes_[b].holds(p) && winding(p, b) != 0)
+          addOverlap(std::min(a, b), std::max(a, b));
       }
     }
   }

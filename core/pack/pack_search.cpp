@@ -23,8 +23,8 @@ constexpr double kLeastFill = 0.08, kLessFill = 0.8;
 /// How deep charts lie in each other that are hooked, in grains, and how much
 /// smaller they must become at the end to come apart.
 constexpr double kHookedDepth = 2, kHookedCost = 1.5;
-/// How deep charts lie in each other, in grains, where they were put on one heap; otherwise they begin
-/// with 15 to 75. And how many cannot make one that matters.
+/// How deep charts lie in each other, in grains, where they were put on one heap; otherwise they
+/// begin with 15 to 75. And how many cannot make one that matters.
 constexpr double kPiledDepth = 90;
 constexpr std::size_t kFewCharts = 60;
 /// Among many charts so much is not made good at the end any more.
@@ -127,8 +127,10 @@ class Search {
     FreeSpace space = emptySpace(next.layout.side);
     std::vector<Index> taken;
     for (Index i = 0; i < shapes_.size(); ++i) {
-      if (squeezer.depths()[i] > most) taken.push_back(i);
-      else space.add(space.footprint(shapes_[i], next.layout.poses[i]));
+      if (squeezer.depths()[i] > most)
+        taken.push_back(i);
+      else
+        space.add(space.footprint(shapes_[i], next.layout.poses[i]));
     }
     place(next.layout, space, largeFirst(taken, 0, rng), rng);
     next.sides.clear();
@@ -223,9 +225,7 @@ class Search {
       const double any = 2 * std::numbers::pi * unit(rng);
       // What hardly fits does so at one turn.
       const bool large = shapes_[i].square > kLarge * layout.side;
-      const double first = large             ? shapes_[i].inSquare
-                           : shapes_[i].boxy ? shapes_[i].upright
-                                             : any;
+      const double first = large ? shapes_[i].inSquare : shapes_[i].boxy ? shapes_[i].upright : any;
       layout.poses[i] = space.bestPose(shapes_[i], first, turns_);
       space.add(space.footprint(shapes_[i], layout.poses[i]));
     }
@@ -249,8 +249,9 @@ class Search {
     return some;
   }
 
-  /// Whether there was no room for the last ones, which then lie on one heap: nothing parts them, and
-  /// squeezing a heap takes a hundred times as long. A few charts lie on each other in any case.
+  /// Whether there was no room for the last ones, which then lie on one heap: nothing parts them,
+  /// and squeezing a heap takes a hundred times as long. A few charts lie on each other in any
+  /// case.
   bool piled(PackLayout layout, Squeezer& squeezer) const {
     if (shapes_.size() <= kFewCharts) return false;
     squeezer.rest();

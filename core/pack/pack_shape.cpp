@@ -247,7 +247,8 @@ PackShape makeShape(const ChartOutline& outline, double scale, const ShapeDetail
   const double spacing = std::min<double>(detail.spacing, std::max(length / 16, 1e-9));
   for (const Polyline& loop : loops) {
     const std::size_t first = shape.points.size();
-    appendPoints(shape.points, simplified(loop, std::min<double>(detail.tolerance, 0.1 * spacing)), spacing);
+    appendPoints(shape.points, simplified(loop, std::min<double>(detail.tolerance, 0.1 * spacing)),
+                 spacing);
     appendRuns(shape, first);
   }
   for (const PackShape::Point& p : shape.points) {

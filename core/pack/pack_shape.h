@@ -49,7 +49,7 @@ struct PackShape {
   float radius = 0;     ///< of a circle about the centre around all points
   float perimeter = 0;  ///< sum of the points' lengths
   float area = 0;
-  float around = 0;  ///< length of the convex hull's border
+  float around = 0;        ///< length of the convex hull's border
   Point deepest{0, 0, 0};  ///< farthest from the outline; its `length` is that distance
   glm::dvec2 center{0};    ///< in the chart's plane
   bool boxy = false;       ///< fills most of its smallest box

@@ -13,7 +13,8 @@ constexpr double kSideMass = 1.5;
 }  // namespace
 
 Squeezer::Squeezer(std::span<const PackShape> shapes, const PackGaps& gaps)
-    : shapes_(shapes), contacts_(shapes, gaps), sideInCharts_(std::sqrt(layoutArea(shapes.size()))) {
+    : shapes_(shapes), contacts_(shapes, gaps),
+      sideInCharts_(std::sqrt(layoutArea(shapes.size()))) {
   for (const PackShape& shape : shapes) {
     const double mass = std::max<double>(shape.perimeter, 1e-6);
     const double radius = std::max<double>(shape.radius, 1e-6);

@@ -46,7 +46,7 @@ class Squeezer {
 
   std::span<const PackShape> shapes_;
   Contacts contacts_;
-  double sideInCharts_;  ///< over that of twenty
+  double sideInCharts_;              ///< over that of twenty
   std::vector<double> inverseRoot_;  ///< of the mass: three a shape, then the side's
   std::vector<double> force_, velocity_;
   double dt_ = 0, mixing_ = 0;

@@ -1,7 +1,7 @@
 #pragma once
-/// Charts of a texture that may lie over themselves or each other, told by their borders alone. A chart
-/// without flips whose border does not cross itself is one-to-one, and two such charts share a place
-/// only when their borders cross or one holds the other.
+/// Charts of a texture that may lie over themselves or each other, told by their borders alone. A
+/// chart without flips whose border does not cross itself is one-to-one, and two such charts share
+/// a place only when their borders cross or one holds the other.
 
 #include <span>
 #include <vector>
@@ -30,8 +30,8 @@ using FlatBorder = std::vector<glm::dvec2>;
 
 /// Marks the charts whose border crosses itself or another one, holds another or is held by one.
 /// Touching is no crossing (Contact::Deep). Empty borders meet nothing.
-/// Cost: linear in the number of corners, times the number of charts whose boxes lie over one another.
-/// \throws Interrupted
+/// Cost: linear in the number of corners, times the number of charts whose boxes lie over one
+/// another. \throws Interrupted
 std::vector<bool> findMeetingCharts(std::span<const FlatBorder> borders);
 
 }  // namespace chartflood

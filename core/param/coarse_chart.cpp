@@ -155,7 +155,8 @@ class Coarsening {
     for (const Index t : around_[target]) {
       for (const Index v : triangles_[t]) mark_[v] = kNone;
     }
-    if (common != 2 || around_[vertex].size() + around_[target].size() > kMostEdges + 4) return false;
+    if (common != 2 || around_[vertex].size() + around_[target].size() > kMostEdges + 4)
+      return false;
     return std::all_of(around_[vertex].begin(), around_[vertex].end(),
                        [&](Index t) { return staysUpright(t, vertex, target); });
   }
@@ -224,12 +225,12 @@ class Coarsening {
   const ChartSurface& chart_;
   std::vector<std::array<Index, 3>> triangles_;
   std::size_t live_;
-  std::vector<bool> gone_;                   ///< triangles
-  std::vector<std::vector<Index>> around_;   ///< triangles at each vertex
-  std::vector<Quadric> quadric_;             ///< of each vertex
-  std::vector<bool> fixed_;                  ///< on the boundary
-  std::vector<bool> queued_;                 ///< waits in the queue
-  std::vector<Index> mark_;                  ///< of each vertex, kNone between uses
+  std::vector<bool> gone_;                  ///< triangles
+  std::vector<std::vector<Index>> around_;  ///< triangles at each vertex
+  std::vector<Quadric> quadric_;            ///< of each vertex
+  std::vector<bool> fixed_;                 ///< on the boundary
+  std::vector<bool> queued_;                ///< waits in the queue
+  std::vector<Index> mark_;                 ///< of each vertex, kNone between uses
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 

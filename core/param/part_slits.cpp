@@ -73,8 +73,7 @@ class BoundaryFans {
     return sum;
   }
 
-  void move(Index vertex, double by, const glm::dvec2& towards,
-            std::vector<glm::dvec2>& uv) const {
+  void move(Index vertex, double by, const glm::dvec2& towards, std::vector<glm::dvec2>& uv) const {
     const glm::dvec2 from = uv[vertex];
     const double length = glm::length(towards);
     if (!(length > 0)) return;
@@ -119,9 +118,8 @@ class Copies {
  public:
   explicit Copies(const ChartShape& shape) : mesh_(shape.surface.meshVertex) {
     vertices_ = shape.boundary;
-    std::sort(vertices_.begin(), vertices_.end(), [&](Index a, Index b) {
-      return mesh_[a] != mesh_[b] ? mesh_[a] < mesh_[b] : a < b;
-    });
+    std::sort(vertices_.begin(), vertices_.end(),
+              [&](Index a, Index b) { return mesh_[a] != mesh_[b] ? mesh_[a] < mesh_[b] : a < b; });
   }
   std::span<const Index> of(Index vertex) const {
     const auto range = std::equal_range(vertices_.begin(), vertices_.end(), vertex,

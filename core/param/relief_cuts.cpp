@@ -21,12 +21,12 @@ namespace {
 using Boundary = UnwrapOptions::Boundary;
 
 constexpr std::size_t kMostReliefCuts = 40;  // that stay
-constexpr std::size_t kMostTightCuts = 8;    // of maps that cannot be tried loosely: each takes long
-constexpr std::size_t kReliefPatience = 6;   // cuts in a row that may fail to help
-constexpr std::size_t kMostEarnest = 4;      // maps in earnest of one chart
-constexpr double kWorthwhile = 0.05;         // share of what it stretches that a cut has to save
-constexpr double kDeepEnough = 0.1;          // of the greatest distance from the boundary
-constexpr double kOtherPlace = 0.5;          // of a cut's length: places nearer to it are the same
+constexpr std::size_t kMostTightCuts = 8;   // of maps that cannot be tried loosely: each takes long
+constexpr std::size_t kReliefPatience = 6;  // cuts in a row that may fail to help
+constexpr std::size_t kMostEarnest = 4;     // maps in earnest of one chart
+constexpr double kWorthwhile = 0.05;        // share of what it stretches that a cut has to save
+constexpr double kDeepEnough = 0.1;         // of the greatest distance from the boundary
+constexpr double kOtherPlace = 0.5;         // of a cut's length: places nearer to it are the same
 /// Triangles from which on cuts are looked for on a coarse chart, and triangles of that.
 constexpr std::size_t kLargeChart = 9000, kCoarseTriangles = 4000;
 

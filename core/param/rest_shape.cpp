@@ -60,16 +60,15 @@ double meanEdge(const ChartSurface& surface) {
 }  // namespace
 
 RestShape::RestShape(const ChartSurface& surface)
-    : triangles(surface.triangles), vertices(surface.vertexCount()),
-      thinness(thinnessOf(surface)) {
+    : triangles(surface.triangles), vertices(surface.vertexCount()), thinness(thinnessOf(surface)) {
   weight.reserve(triangles.size());
   gradient.reserve(triangles.size());
   const double leastEdge = kLeastEdge * meanEdge(surface);
   double total = 0;
   for (const auto& t : triangles) {
-    const auto p = layFlat(
-        {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]}, leastEdge,
-        thinness.usual);
+    const auto p =
+        layFlat({surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]},
+                leastEdge, thinness.usual);
     const glm::dvec2 e1 = p[1] - p[0], e2 = p[2] - p[0];
     const double area2 = e1.x * e2.y - e1.y * e2.x;
     gradient.push_back({glm::dvec2(e2.y, -e2.x) / area2, glm::dvec2(-e1.y, e1.x) / area2});

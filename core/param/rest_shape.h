@@ -16,8 +16,8 @@
 namespace chartflood {
 
 /// Lengths are in units of sqrt(chart area), so that the weights add up to 1 whatever the scale.
-/// Triangles much thinner than the others (collinear, vanishing edges) get a somewhat thicker one in
-/// their place, so that all numbers stay in range and the others need not follow them.
+/// Triangles much thinner than the others (collinear, vanishing edges) get a somewhat thicker one
+/// in their place, so that all numbers stay in range and the others need not follow them.
 struct RestShape {
   explicit RestShape(const ChartSurface& surface);
 

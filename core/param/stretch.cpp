@@ -98,10 +98,9 @@ std::vector<TriangleDistortion> triangleDistortion(const ChartSurface& surface,
     const double plane = signedArea(p[0], p[1], p[2]);
     const double space = spaceArea(surface, t);
     if (std::isfinite(factor) && factor > 0 && hasShape(surface, t, space)) {
-      result[t] =
-          distortionOf({surface.positions[v[0]], surface.positions[v[1]], surface.positions[v[2]]},
-                       p, std::max(std::abs(plane), std::min(least, kOwnFloor * space * factor)),
-                       space, factor);
+      result[t] = distortionOf(
+          {surface.positions[v[0]], surface.positions[v[1]], surface.positions[v[2]]}, p,
+          std::max(std::abs(plane), std::min(least, kOwnFloor * space * factor)), space, factor);
     }
     result[t].flipped = plane != 0 && (plane < 0) != areas.clockwise;
   }

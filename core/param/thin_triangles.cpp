@@ -65,8 +65,7 @@ double FlatTriangle::shortest() const {
 
 FlatTriangle flatTriangle(const ChartSurface& surface, std::size_t triangle) {
   const auto& t = surface.triangles[triangle];
-  return FlatTriangle(
-      {surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]});
+  return FlatTriangle({surface.positions[t[0]], surface.positions[t[1]], surface.positions[t[2]]});
 }
 
 ChartThinness thinnessOf(const ChartSurface& surface) {

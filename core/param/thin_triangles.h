@@ -43,8 +43,8 @@ struct ChartThinness {
   /// Most of the area is in thin triangles: rods, needles, fans and the like.
   bool mostlyThin = false;
   bool any() const { return slivers || mostlyThin; }
-  /// Height over longest edge that a triangle's shape gets at least in a map's equations: well below
-  /// that of all but a hundredth of the area.
+  /// Height over longest edge that a triangle's shape gets at least in a map's equations: well
+  /// below that of all but a hundredth of the area.
   double usual = 0;
 };
 

@@ -33,8 +33,8 @@ glm::dvec2 turned(const Complex& by, const glm::dvec2& v) {
 
 /// Turns triangles into the plane, across long edges first. Directions are handed on from triangle
 /// to triangle as turns, not taken from places: across an edge a billion times shorter than its
-/// neighbours they would be wrong in the seventh digit, and long triangles be off by more than their
-/// width.
+/// neighbours they would be wrong in the seventh digit, and long triangles be off by more than
+/// their width.
 class Unfolder {
  public:
   explicit Unfolder(const ChartSurface& surface)

@@ -21,8 +21,8 @@ struct UnwrapOptions {
   bool operator==(const UnwrapOptions&) const = default;
 };
 
-/// The L2 stretch that relief cuts are to keep each chart to: that of the options, and four times as
-/// much for circles, which squeeze every boundary.
+/// The L2 stretch that relief cuts are to keep each chart to: that of the options, and four times
+/// as much for circles, which squeeze every boundary.
 double reliefLimit(const UnwrapOptions& options);
 
 struct UnwrapResult {

@@ -35,7 +35,7 @@ class BorderMoves {
     double creaseFactor = 0.3;  ///< length of a crease against a smooth edge's
     double eta = 0;             ///< steradians a squared normalised unit of surface counts as
     std::span<const double> sideFactor = {};  ///< of hints, on the length of each side; empty: 1
-    const ChartPrice* price = nullptr;  ///< the method's own cost, added to the energy
+    const ChartPrice* price = nullptr;        ///< the method's own cost, added to the energy
     /// What all seams together may grow by, as a share of their length at first; below 0: anything.
     double mostLonger = -1;
     std::size_t maxSweeps = 50;
@@ -74,10 +74,10 @@ class BorderMoves {
   std::unique_ptr<const Tables> tables_;
   std::vector<Index> label_;
   std::vector<bool> fixed_;
-  std::vector<double> value_;     ///< B of each chart
-  double sum_ = 0, squares_ = 0;  ///< of value_, of charts with a neighbour
-  std::size_t evened_ = 0;        ///< how many those are
-  double weight_ = 0;  ///< W over the number of charts
+  std::vector<double> value_;           ///< B of each chart
+  double sum_ = 0, squares_ = 0;        ///< of value_, of charts with a neighbour
+  std::size_t evened_ = 0;              ///< how many those are
+  double weight_ = 0;                   ///< W over the number of charts
   double longer_ = 0, mostLonger_ = 0;  ///< growth of the seams so far, and at most
   std::size_t sweepsLeft_ = 0;
   std::size_t moves_ = 0;

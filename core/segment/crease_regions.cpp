@@ -153,8 +153,7 @@ CreaseRegions chartsFromCreases(const Mesh& mesh, const GaussArea& gauss,
                                 std::span<const Index> partner) {
   if (regions.count > charts) {
     RegionGraph graph(mesh, regions.label, regions.count);
-    while (graph.count() > charts &&
-           ((!partner.empty() && graph.joinLone()) || graph.joinBest())) {
+    while (graph.count() > charts && ((!partner.empty() && graph.joinLone()) || graph.joinBest())) {
     }
     std::vector<Index> label(regions.label);
     for (Index& l : label) l = graph.regionNow(l);

@@ -26,8 +26,8 @@ CreaseRegions creaseRegions(const Mesh& mesh, const GaussArea& gauss);
 
 /// True when sharp edges divide the model by themselves, as they do machine parts. Of the parts
 /// that no path leaves without crossing a sharp edge
-/// - there are at least 3 more than separate parts, the largest holds at most 60 % of the surface, and at most 40 % when it
-/// is
+/// - there are at least 3 more than separate parts, the largest holds at most 60 % of the surface,
+/// and at most 40 % when it is
 ///   curved as much as a quarter of a sphere: a soft body with hard details has to be divided by
 ///   its curvature;
 /// - those of 0.2 % of the surface and more hold at least 95 % of it: a sponge is none;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kBalanceShare = 0.01;
 constexpr double kCreaseShare = 1.0 / 3;
-constexpr double kDiagonal = 4;  // length of a quad's diagonal against its sides'
+constexpr double kDiagonal = 4;         // length of a quad's diagonal against its sides'
 constexpr std::size_t kPublish = 1024;  // faces
 
 /// Whether sharp edges divide the model by themselves.

@@ -15,8 +15,8 @@ namespace chartflood {
 /// are the middles of its charts, told of as a flood is once the borders are refined.
 ///
 /// A model of few planes, as flatParts() knows it, begins with these where there are no more than
-/// charts, whether their borders are sharp or not. Its borders stay where they are joined, and where
-/// planes are split, they keep to the sides of quads.
+/// charts, whether their borders are sharp or not. Its borders stay where they are joined, and
+/// where planes are split, they keep to the sides of quads.
 std::unique_ptr<Stepper> makeCreaseStart(const SegmentInputs& inputs,
                                          const SegmentOptions& options);
 

@@ -97,10 +97,9 @@ class FastFlooding final : public FloodRounds {
   FastFlooding(const SegmentInputs& inputs, const SegmentOptions& options)
       : FloodRounds("t-flooding", inputs, options) {
     checkSeeds(mesh(), options.seeds);
-    const std::size_t charts =
-        effectiveChartCount(mesh(), options.charts, options.seeds.size());
-    shares_ = partShares(mesh(), *inputs.gaussArea, faceGauss(), inputs.floodGraph->eta,
-                         options.charts);
+    const std::size_t charts = effectiveChartCount(mesh(), options.charts, options.seeds.size());
+    shares_ =
+        partShares(mesh(), *inputs.gaussArea, faceGauss(), inputs.floodGraph->eta, options.charts);
     fast_ = options.fast;
     coarse_ = makeCoarseGraph(source(), clustersWith(options.seeds, charts));
     const std::vector<Index> given = nodesOf(options.seeds);
@@ -109,8 +108,9 @@ class FastFlooding final : public FloodRounds {
     }
     std::sort(locked_.begin(), locked_.end());
     Rng rng(options.rngSeed);
-    plan_ = planFrom(placeCoarseSeeds(coarse_, mesh().componentCount(), charts, given, shares_, rng),
-                     options.offsets);
+    plan_ =
+        planFrom(placeCoarseSeeds(coarse_, mesh().componentCount(), charts, given, shares_, rng),
+                 options.offsets);
     coarseFlood_ = std::make_unique<NodeFlood>(mesh(), coarse_.nodes, charts);
     if (fast_.band.size() == charts) {
       setBase(makeBase(plan_.seeds(), plan_.offsets()));
@@ -399,8 +399,7 @@ class FastFlooding final : public FloodRounds {
 }  // namespace
 
 bool searchesFast(const Mesh& mesh, const SegmentOptions& options) {
-  const std::size_t charts =
-      effectiveChartCount(mesh, options.charts, options.seeds.size());
+  const std::size_t charts = effectiveChartCount(mesh, options.charts, options.seeds.size());
   return options.search == SearchKind::Fast && mesh.faceCount() >= kFastFacesPerChart * charts;
 }
 

@@ -14,12 +14,12 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kSine = 0.0087;       // half a degree
-constexpr double kLift = 1e-4;         // normalised units beside the plane
-constexpr double kSliver = 1e-5;       // what rounding may tilt a thin triangle by
-constexpr std::size_t kManyPlanes = 60;      // regions from which a model is not made of planes
-constexpr double kMostJoining = 4e6;   // regions times joins
-constexpr double kLeastSquare = 0.95;  // cosine in a quad's corner that is too sharp
+constexpr double kSine = 0.0087;         // half a degree
+constexpr double kLift = 1e-4;           // normalised units beside the plane
+constexpr double kSliver = 1e-5;         // what rounding may tilt a thin triangle by
+constexpr std::size_t kManyPlanes = 60;  // regions from which a model is not made of planes
+constexpr double kMostJoining = 4e6;     // regions times joins
+constexpr double kLeastSquare = 0.95;    // cosine in a quad's corner that is too sharp
 
 /// Twice the area of a face in the direction of its normal.
 glm::dvec3 faceVector(const Mesh& mesh, Index face) {
@@ -58,8 +58,8 @@ class GrowingPlane {
   void add(Index face, const glm::dvec3& vector) {
     const double weight = glm::length(vector);
     const glm::dvec3& corner = mesh_.positions()[mesh_.sideStart(3 * mesh_.triangleBegin(face))];
-    origin_ = weight_ + weight > 0 ? (origin_ * weight_ + corner * weight) / (weight_ + weight)
-                                   : corner;
+    origin_ =
+        weight_ + weight > 0 ? (origin_ * weight_ + corner * weight) / (weight_ + weight) : corner;
     weight_ += weight;
     sum_ += vector;
   }
@@ -151,7 +151,9 @@ std::size_t featureCount(const Mesh& mesh) {
 
 std::vector<Index> quadPartners(const Mesh& mesh, const CreaseRegions& flat) {
   std::vector<std::pair<double, Index>> edges;
-  const auto single = [&](Index f) { return mesh.triangleBegin(f + 1) - mesh.triangleBegin(f) == 1; };
+  const auto single = [&](Index f) {
+    return mesh.triangleBegin(f + 1) - mesh.triangleBegin(f) == 1;
+  };
   for (Index s = 0; s < mesh.opposite().size(); ++s) {
     const Index other = mesh.opposite()[s];
     if (other == kNone || other < s) continue;

@@ -102,9 +102,8 @@ class McgimPrice final : public ChartPrice {
   void findCosts() {
     for (Index c = 0; c < seeds_.size(); ++c) {
       const auto inside = [&](Index face) { return slotOf(home_[face], c) != kNone; };
-      grow(c, normals_[c], inside, [&](Index face, float cost) {
-        cost_[begin_[face] + slotOf(home_[face], c)] = cost;
-      });
+      grow(c, normals_[c], inside,
+           [&](Index face, float cost) { cost_[begin_[face] + slotOf(home_[face], c)] = cost; });
     }
   }
 

@@ -238,8 +238,8 @@ void PairCut::tryPrices(const Progress& progress) {
 /// this price: balance as a function of what a has is convex, so it lies above its tangent of that
 /// slope. Up to the values at the seam itself, which prices share out between the sides.
 double PairCut::lowerBound(double price, double start) const {
-  const double cut = now_.length * state_->unit + now_.own +
-                     price * (now_.a.value - state_->charts[a_].value);
+  const double cut =
+      now_.length * state_->unit + now_.own + price * (now_.a.value - state_->charts[a_].value);
   if (price == start) return cut;
   const double curvature = balance_->curvature();
   if (!(curvature > 0)) return -std::numeric_limits<double>::infinity();

@@ -11,10 +11,10 @@ namespace chartflood {
 namespace {
 
 // Of the area that a chart has on average:
-constexpr double kCrumb = 0.04;         // less is a crumb
-constexpr double kSmallPart = 0.25;         // less is small where parts outnumber charts
+constexpr double kCrumb = 0.04;           // less is a crumb
+constexpr double kSmallPart = 0.25;       // less is small where parts outnumber charts
 constexpr double kSmallestChart = 0.125;  // least of a chart of a part that gets several
-constexpr double kNoGauss = 1e-6;          // steradians that are none
+constexpr double kNoGauss = 1e-6;         // steradians that are none
 
 /// Share of each part in the surface; of faces where there is no area.
 std::vector<double> surfaceShares(const Mesh& mesh) {

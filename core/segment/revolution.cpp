@@ -12,11 +12,11 @@ namespace chartflood {
 
 namespace {
 
-constexpr double kRound = 0.03;       // how far a circle's points may lie off it, in radii
-constexpr double kInCircles = 0.8;    // share of the length of sharp edges
-constexpr double kAcross = 0.2;       // sine of the angle by which a normal may pass the axis
-constexpr double kRevolved = 0.9;     // share of the surface
-constexpr std::size_t kFewestCorners = 7;   // fewer are a polygon
+constexpr double kRound = 0.03;            // how far a circle's points may lie off it, in radii
+constexpr double kInCircles = 0.8;         // share of the length of sharp edges
+constexpr double kAcross = 0.2;            // sine of the angle by which a normal may pass the axis
+constexpr double kRevolved = 0.9;          // share of the surface
+constexpr std::size_t kFewestCorners = 7;  // fewer are a polygon
 
 struct CreaseCircle {
   glm::dvec3 center{0}, axis{0};
@@ -57,8 +57,8 @@ CreaseCircle circleThrough(const Mesh& mesh, const std::vector<Index>& loop) {
 /// Ends of sharp edges, both ways.
 using SharpWays = std::multimap<Index, Index>;
 
-/// The closed chain that begins with an edge, where no vertex on the way has a choice; its edges are
-/// taken out. Empty when there is none.
+/// The closed chain that begins with an edge, where no vertex on the way has a choice; its edges
+/// are taken out. Empty when there is none.
 std::vector<Index> takeLoop(SharpWays& ways, Index start) {
   std::vector<Index> loop;
   Index at = start, from = kNone;

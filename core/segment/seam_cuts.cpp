@@ -99,8 +99,7 @@ class SeamCuts::Engine {
     if (options.anneal && !options.oneSided) {
       return seamScheduleTo(options.weight, faces, evened_, options.clusters);
     }
-    std::vector<SeamStage> stages =
-        seamSchedule(faces, evened_, options.clusters, options.anneal);
+    std::vector<SeamStage> stages = seamSchedule(faces, evened_, options.clusters, options.anneal);
     for (SeamStage& stage : stages) stage.weight *= options.weight;
     return stages;
   }
@@ -157,8 +156,7 @@ class SeamCuts::Engine {
     state_.price = options_.price;
     if (options_.price != nullptr) options_.price->fit(label_);
     state_.defect = kDefect / std::sqrt(charts);
-    state_.leastArea =
-        (options_.oneSided ? kLeastAreaOneSided : kLeastArea) * surface_ / charts;
+    state_.leastArea = (options_.oneSided ? kLeastAreaOneSided : kLeastArea) * surface_ / charts;
     measureSeamCharts(state_, charts_);
     measureBalance();
     sweep_ = 0;
@@ -236,7 +234,7 @@ class SeamCuts::Engine {
   const std::size_t charts_;
   const std::vector<Index> fixed_;
   const SeamTables tables_;
-  std::vector<Index> label_;  ///< of each face
+  std::vector<Index> label_;                  ///< of each face
   const std::vector<std::uint8_t> bordered_;  ///< as borderedCharts() has it
   const std::size_t evened_;                  ///< how many those are
   SeamRecord record_;

@@ -37,7 +37,7 @@ class SeamCuts {
     double eta = 0;             ///< steradians a squared normalised unit of surface counts as
     std::span<const double> sideFactor = {};  ///< of hints, on the length of each side; empty: 1
     bool oneSided = false;                    ///< only charts above their share of the whole cost
-    ChartPrice* price = nullptr;  ///< the method's own cost, added to the energy
+    ChartPrice* price = nullptr;              ///< the method's own cost, added to the energy
     bool clusters = true;  ///< begin on clusters of faces; false: on single faces throughout
     bool anneal = true;    ///< false: the last two stages only, at full weight
   };

@@ -33,12 +33,12 @@ struct SeamState {
   std::vector<Index> local, localArc;  ///< number in the pair's band
   std::vector<double> distance;        ///< from the pair's seam
   std::vector<std::uint8_t> seen;
-  double band = 0;       ///< width, normalised units
-  double unit = 1;       ///< energy of a normalised unit of length
-  double leastArea = 0;  ///< charts are not made smaller than this
-  double defect = 0;     ///< energy that a chart gains by getting nearer to a disk
+  double band = 0;                    ///< width, normalised units
+  double unit = 1;                    ///< energy of a normalised unit of length
+  double leastArea = 0;               ///< charts are not made smaller than this
+  double defect = 0;                  ///< energy that a chart gains by getting nearer to a disk
   const ChartPrice* price = nullptr;  ///< the method's own cost of faces
-  double leastGain = 0;  ///< of energy, below which a cut is not looked for
+  double leastGain = 0;               ///< of energy, below which a cut is not looked for
 };
 
 /// The chart of a node that another thread may move between two other charts meanwhile.

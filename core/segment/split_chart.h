@@ -19,7 +19,7 @@ class ChartSplitter {
  public:
   /// What splits heed.
   struct Rules {
-    std::span<const Index> partner = {};    ///< faces that stay together, kNone: none; empty: none
+    std::span<const Index> partner = {};     ///< faces that stay together, kNone: none; empty: none
     std::span<const std::size_t> most = {};  ///< as in PartShares
   };
   /// \param faceGauss faceGaussArea() of the mesh
@@ -31,9 +31,9 @@ class ChartSplitter {
   std::span<const Index> labels() const { return label_; }
   /// Splits the chart with the greatest (half its share of Gauss area + half its share of area)
   /// * (1 + min(2, 1 - Euler number)), so that rings go first, between two faces far from each
-  /// other. Charts of parts that have the most they may come last. False when no chart has two faces
-  /// that may be parted.
-  /// \param rng chooses the face from which the first of the two is the farthest
+  /// other. Charts of parts that have the most they may come last. False when no chart has two
+  /// faces that may be parted. \param rng chooses the face from which the first of the two is the
+  /// farthest
   bool splitNext(Rng& rng);
 
  private:

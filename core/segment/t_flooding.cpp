@@ -21,10 +21,9 @@ class TFlooding final : public FloodRounds {
   TFlooding(const SegmentInputs& inputs, const SegmentOptions& options)
       : FloodRounds("t-flooding", inputs, options), locked_(options.locked) {
     Rng rng(options.rngSeed);
-    const std::size_t charts =
-        effectiveChartCount(mesh(), options.charts, options.seeds.size());
-    const PartShares shares = partShares(mesh(), *inputs.gaussArea, faceGauss(),
-                                         inputs.floodGraph->eta, options.charts);
+    const std::size_t charts = effectiveChartCount(mesh(), options.charts, options.seeds.size());
+    const PartShares shares =
+        partShares(mesh(), *inputs.gaussArea, faceGauss(), inputs.floodGraph->eta, options.charts);
     plan_ = RoundPlan(options, options.maxIterations,
                       placeSeeds(mesh(), charts, options.seeds, shares, rng), options.offsets);
     std::sort(locked_.begin(), locked_.end());

@@ -18,21 +18,21 @@ struct Parameters {
   /// K was asked for though it is the default. Other numbers always are; what is not asked for is
   /// no more than the features of the model, see chartsInForce().
   bool chartsAsked = false;
-  double sharpAngle = 45;             ///< sharp-angle: T_a, degrees
-  double speedPower = 1;              ///< speed-power: p of equation 7
-  double speedEpsilon = 1e-3;         ///< speed-epsilon: epsilon of equation 7, share of max |K|
-  double offsetDamping = 0.3;         ///< offset-damping: beta of section 3.5
-  bool offsets = true;                ///< offsets
-  bool lookahead = true;              ///< lookahead
-  double areaShare = 1e-3;            ///< area-share: eta
-  int rngSeed = 1;                    ///< rng-seed
-  int bestOf = 1;                     ///< best-of: generator seeds that are tried
-  double maxStretch = 1.1;            ///< max-stretch: L2 that charts=auto allows
-  int maxIterations = 60;             ///< max-iterations
-  int patience = 10;                  ///< patience: n of section 3.4
-  std::string keep = "best";          ///< keep: which round is kept at the end
-  bool detectCycles = true;           ///< detect-cycles
-  int settle = 4;                     ///< settle: rounds without gain, seeds at rest
+  double sharpAngle = 45;      ///< sharp-angle: T_a, degrees
+  double speedPower = 1;       ///< speed-power: p of equation 7
+  double speedEpsilon = 1e-3;  ///< speed-epsilon: epsilon of equation 7, share of max |K|
+  double offsetDamping = 0.3;  ///< offset-damping: beta of section 3.5
+  bool offsets = true;         ///< offsets
+  bool lookahead = true;       ///< lookahead
+  double areaShare = 1e-3;     ///< area-share: eta
+  int rngSeed = 1;             ///< rng-seed
+  int bestOf = 1;              ///< best-of: generator seeds that are tried
+  double maxStretch = 1.1;     ///< max-stretch: L2 that charts=auto allows
+  int maxIterations = 60;      ///< max-iterations
+  int patience = 10;           ///< patience: n of section 3.4
+  std::string keep = "best";   ///< keep: which round is kept at the end
+  bool detectCycles = true;    ///< detect-cycles
+  int settle = 4;              ///< settle: rounds without gain, seeds at rest
   std::string vsaSeeding = "one-by-one";  ///< vsa-seeding
   bool vsaTeleport = true;                ///< vsa-teleport
   double mcgimLambda = 1;                 ///< mcgim-lambda

@@ -50,20 +50,18 @@ void Pipeline::tellMargin() const {
   tell(Notice::Kind::Warning,
        "A margin of " + std::to_string(p.margin) + " pixels leaves no room for " +
            std::to_string(charts) + " charts in a texture of " + std::to_string(p.textureSize) +
-           " pixels a side: they keep " + std::to_string(atlas.margin) +
-           "; a texture of " + std::to_string(textureSizeFor(charts, p.margin)) +
-           " pixels keeps them all.");
+           " pixels a side: they keep " + std::to_string(atlas.margin) + "; a texture of " +
+           std::to_string(textureSizeFor(charts, p.margin)) + " pixels keeps them all.");
 }
 
 void Pipeline::tellParts(std::size_t wanted, const std::string& number) {
   const PartCount parts = countWithParts(*mesh_, wanted);
   if (parts.charts == wanted) return;  // seeds are there that ask for more
-  const std::string small =
-      parts.small == parts.parts || parts.small == 0
-          ? ""
-          : ", and the " + std::to_string(parts.small) +
-                (parts.small == 1 ? " small one takes" : " small ones take") +
-                " none from the others";
+  const std::string small = parts.small == parts.parts || parts.small == 0
+                                ? ""
+                                : ", and the " + std::to_string(parts.small) +
+                                      (parts.small == 1 ? " small one takes" : " small ones take") +
+                                      " none from the others";
   tell(Notice::Kind::Warning, std::to_string(parts.parts) +
                                   " separate parts: each gets at least one chart" + small +
                                   ", so K was raised to " + number + ".");

@@ -60,9 +60,8 @@ std::unique_ptr<Pipeline> Pipeline::runApart(const Parameters& parameters, const
   return apart->layFlat(progress) ? std::move(apart) : nullptr;
 }
 
-std::vector<std::unique_ptr<Pipeline>> Pipeline::runAll(std::span<const Parameters> each,
-                                                        const Worth& worth,
-                                                        Progress& progress) const {
+std::vector<std::unique_ptr<Pipeline>>
+Pipeline::runAll(std::span<const Parameters> each, const Worth& worth, Progress& progress) const {
   std::vector<std::unique_ptr<Pipeline>> pipelines(each.size());
   std::atomic<std::size_t> done{0};
   parallelFor(each.size(), [&](std::size_t i) {

@@ -92,8 +92,8 @@ class Pipeline::ChartSearch {
     }
     // Between the first number that fits and the one before it.
     while (fits() && set_.chosen > 0 && failed(set_.runs[set_.chosen - 1])) {
-      const auto counts = numbersBetween(set_.runs[set_.chosen - 1].parameters.charts,
-                                         chosen().parameters.charts);
+      const auto counts =
+          numbersBetween(set_.runs[set_.chosen - 1].parameters.charts, chosen().parameters.charts);
       if (counts.empty()) break;
       if (!tryAll(counts)) return false;
     }
@@ -143,9 +143,8 @@ class Pipeline::ChartSearch {
   bool tryAll(std::vector<int> counts) {
     std::erase_if(counts, [&](int k) {
       return k < least_ || k > most_ ||
-             std::any_of(set_.runs.begin(), set_.runs.end(), [&](const Run& run) {
-               return run.parameters.charts == k;
-             });
+             std::any_of(set_.runs.begin(), set_.runs.end(),
+                         [&](const Run& run) { return run.parameters.charts == k; });
     });
     progress_.beginPhase("Trying numbers of charts");
     std::vector<Parameters> each(counts.size(), pipeline_.document_.parameters);
@@ -154,8 +153,8 @@ class Pipeline::ChartSearch {
       double& relief = each[i].reliefStretch;
       if (relief > 0) relief = std::min(relief, limit_);
     }
-    auto pipelines =
-        pipeline_.runAll(each, [this](const Run& run) { return worth(run); }, progress_);
+    auto pipelines = pipeline_.runAll(
+        each, [this](const Run& run) { return worth(run); }, progress_);
     if (progress_.cancelled()) return false;
     for (auto& pipeline : pipelines) take(std::move(pipeline));
     return true;
@@ -165,10 +164,9 @@ class Pipeline::ChartSearch {
   void take(std::unique_ptr<Pipeline> pipeline) {
     set_.runs.push_back(pipeline->asRun(false));
     const int charts = set_.runs.back().parameters.charts;
-    std::stable_sort(set_.runs.begin(), set_.runs.end(),
-                     [](const Run& a, const Run& b) {
-                       return a.parameters.charts < b.parameters.charts;
-                     });
+    std::stable_sort(set_.runs.begin(), set_.runs.end(), [](const Run& a, const Run& b) {
+      return a.parameters.charts < b.parameters.charts;
+    });
     set_.chosen = shortestWithin(set_.runs, limit_, creases_);
     if (chosen().parameters.charts != charts) return;
     best_ = std::move(pipeline);

@@ -28,7 +28,7 @@ struct Run {
 
   /// True when no chart stretches more.
   bool keeps(double limit) const { return worst && *worst <= limit; }
-  FloodMoment moment;            ///< from which its charts can be made again
+  FloodMoment moment;                      ///< from which its charts can be made again
   std::shared_ptr<const Results> results;  ///< not laid flat; null when they were not kept
 };
 

@@ -73,7 +73,7 @@ struct Results {
   std::shared_ptr<const RunSet> chartRuns;  ///< the last search for the number of charts
   bool stale = false;
   Timing timing;
-  Parameters parameters;           ///< that the results were made with
+  Parameters parameters;                                ///< that the results were made with
   std::size_t features = static_cast<std::size_t>(-1);  ///< of the mesh, see featureCount()
   std::vector<PlacedSeed> placed;  ///< the document's seeds that they were made with
   std::string checksum;            ///< of the mesh's file, see fileChecksum(); "" for others

@@ -19,8 +19,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
 constexpr const char* kChartsAsked = "charts-asked";  // false: K is a default
-constexpr int kDeepest = 32;  // of nested values: ours have 3
-constexpr std::size_t kLargestFile = 256'000'000;  // bytes
+constexpr int kDeepest = 32;                          // of nested values: ours have 3
+constexpr std::size_t kLargestFile = 256'000'000;     // bytes
 
 // Writing.
 

@@ -21,7 +21,13 @@ void pack(benchmark::State& state) {
   state.counters["covered"] = covered;
 }
 
-BENCHMARK(pack)->Arg(20)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(pack)
+    ->Arg(20)
+    ->Arg(100)
+    ->Arg(300)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace chartflood

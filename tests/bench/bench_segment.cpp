@@ -209,9 +209,8 @@ void coarseRound(benchmark::State& state, const std::string& name) {
   const std::size_t size = coarseClusterSize(p.in.mesh->faceCount(), p.seeds.size());
   const CoarseGraph coarse = makeCoarseGraph(nodeSource(p), clusterFaces(*p.in.mesh, {}, size));
   Rng rng(1);
-  const std::vector<Index> seeds =
-      placeCoarseSeeds(coarse, p.in.mesh->componentCount(), p.seeds.size(), {},
-                       equalWeights(*p.in.mesh), rng);
+  const std::vector<Index> seeds = placeCoarseSeeds(
+      coarse, p.in.mesh->componentCount(), p.seeds.size(), {}, equalWeights(*p.in.mesh), rng);
   const auto flood = makeFlood(coarse.nodes.flood, seeds.size(), OfferRule::ShortestTimes);
   for (auto _ : state) {
     flood->start(seeds, p.offsets, true, nullptr);

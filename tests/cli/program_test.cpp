@@ -79,9 +79,10 @@ TEST_F(Program, SaysWhenTheImportingProgramIsMissing) {
   fs::create_directories(root / "bin");
   fs::create_directories(root / "libexec" / "chartflood");
   fs::copy_file(program, root / "bin" / "chartflood");
-  folder_.write("a.ac", "AC3Db\nMATERIAL \"\" rgb 1 1 1  amb 1 1 1  emis 0 0 0  spec 0 0 0  shi 9  "
-                        "trans 0\nOBJECT world\nkids 1\nOBJECT poly\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\n"
-                        "numsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 1 0\n2 1 1\nkids 0\n");
+  folder_.write("a.ac",
+                "AC3Db\nMATERIAL \"\" rgb 1 1 1  amb 1 1 1  emis 0 0 0  spec 0 0 0  shi 9  "
+                "trans 0\nOBJECT world\nkids 1\nOBJECT poly\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\n"
+                "numsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 1 0\n2 1 1\nkids 0\n");
   const std::vector<std::string> words{(root / "bin" / "chartflood").string(), "a.ac", "--info"};
   const ProgramRun missing = runProgramIn(root, words);
   EXPECT_EQ(missing.exitCode, 1);

@@ -21,9 +21,8 @@
 namespace {
 
 using Reader = chartflood::InputMesh (*)(const chartflood::Source&);
-constexpr Reader kReaders[] = {chartflood::readObj, chartflood::readPly, chartflood::readOff,
-                               chartflood::readStl, chartflood::readGltf,
-                               chartflood::read3mf};
+constexpr Reader kReaders[] = {chartflood::readObj, chartflood::readPly,  chartflood::readOff,
+                               chartflood::readStl, chartflood::readGltf, chartflood::read3mf};
 
 }  // namespace
 

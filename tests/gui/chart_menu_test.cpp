@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include <gmock/gmock.h>
-#include <sys/stat.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "app/host/chart_swap.h"
 #include "app/host/session_view.h"
@@ -214,9 +214,10 @@ TEST_F(OwnPicture, ASessionOpensNoneOutsideOfItsFolder) {
   };
   EXPECT_EQ(left("pictures/a.png"), "");
   EXPECT_EQ(left((folder / "sessions/pictures/a.png").string()), "");
-  EXPECT_EQ(left("../green.png"),
-            "The picture ../green.png on the session's checkerboard was not opened: it lies outside "
-            "of the file's folder; put it beside the file or below; squares are shown in its place.");
+  EXPECT_EQ(
+      left("../green.png"),
+      "The picture ../green.png on the session's checkerboard was not opened: it lies outside "
+      "of the file's folder; put it beside the file or below; squares are shown in its place.");
   EXPECT_THAT(left((folder / "green.png").string()), HasSubstr("lies outside"));
   std::filesystem::create_symlink("../green.png", folder / "sessions/link.png");
   EXPECT_THAT(left("link.png"), HasSubstr("lies outside"));

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <stb/stb_image_write.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <stb/stb_image_write.h>
 
 #include "core/base/error.h"
 #include "tests/support/temporary_folder.h"

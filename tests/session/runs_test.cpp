@@ -149,7 +149,8 @@ TEST_F(Runs, TheSearchIsTheSameForAnyNumberOfThreads) {
   }
   EXPECT_EQ(labels[0], labels[1]);
   ASSERT_EQ(seams.size() % 2, 0u);
-  for (std::size_t i = 0; i < seams.size() / 2; ++i) EXPECT_EQ(seams[i], seams[i + seams.size() / 2]);
+  for (std::size_t i = 0; i < seams.size() / 2; ++i)
+    EXPECT_EQ(seams[i], seams[i + seams.size() / 2]);
 }
 
 TEST_F(Runs, CrumbsAreNoChartsThatAreTried) {

@@ -61,8 +61,8 @@ TEST_P(UnwrapWith, SaysWhereAMarginLeavesNoRoom) {
   }
   EXPECT_EQ(warnings, std::vector<std::string>{
                           "A margin of 200 pixels leaves no room for 5 charts in a texture of 256 "
-                          "pixels a side: they keep " + kept +
-                          "; a texture of 1024 pixels keeps them all."});
+                          "pixels a side: they keep " +
+                          kept + "; a texture of 1024 pixels keeps them all."});
 }
 
 TEST_P(UnwrapWith, LaysChartsFlatWhenAsked) {

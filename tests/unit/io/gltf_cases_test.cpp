@@ -132,8 +132,8 @@ TEST(GltfCases, RepeatingAMeshHasALimit) {
   // 40 thousand corners, 40 thousand times.
   constexpr std::size_t kCorners = 39'999, kInstances = 40'000;
   std::string data = tetrahedronBytes() + std::string(3 * kInstances, '\0');
-  document["accessors"][0] = {{"bufferView", 2}, {"componentType", 5121}, {"count", kCorners},
-                              {"type", "VEC3"}};
+  document["accessors"][0] = {
+      {"bufferView", 2}, {"componentType", 5121}, {"count", kCorners}, {"type", "VEC3"}};
   document["meshes"][0]["primitives"][0].erase("indices");
   document["bufferViews"].push_back(
       {{"buffer", 0}, {"byteOffset", 72}, {"byteLength", 3 * kInstances}});
@@ -264,8 +264,8 @@ TEST_F(GltfBufferPlaces, NoSentenceRepeatsDataThatAreWrittenIntoTheFile) {
   const std::string broken = "data:application/octet-stream;base64," + std::string(500'000, '*');
   EXPECT_EQ(refusal(broken),
             "its buffer 0 is written into the file as text that is no whole base64");
-  for (const std::string& uri : {std::string(500'000, 'x'), "parts/" + std::string(200, 'y'),
-                                 std::string(500'000, '%')}) {
+  for (const std::string& uri :
+       {std::string(500'000, 'x'), "parts/" + std::string(200, 'y'), std::string(500'000, '%')}) {
     EXPECT_NE(refusal(uri), "");
     EXPECT_LE(refusal(uri).size(), 300u);
   }

@@ -1,5 +1,5 @@
-// Compressed glTF: what the encoders of Draco and meshoptimizer made of a bumpy grid comes back, and
-// what they did not make is refused with the name of the extension.
+// Compressed glTF: what the encoders of Draco and meshoptimizer made of a bumpy grid comes back,
+// and what they did not make is refused with the name of the extension.
 
 #include <cmath>
 #include <cstring>
@@ -89,11 +89,11 @@ std::string dracoBytes(const Grid& grid, int method, int bits) {
 
 /// As exporters write it: accessors without views, the packed bytes in a view of their own.
 json dracoDocument(const Grid& grid, std::size_t size) {
-  json document = sceneOf({{"attributes", {{"POSITION", 0}}},
-                           {"indices", 1},
-                           {"extensions",
-                            {{"KHR_draco_mesh_compression",
-                              {{"bufferView", 0}, {"attributes", {{"POSITION", 0}}}}}}}});
+  json document = sceneOf(
+      {{"attributes", {{"POSITION", 0}}},
+       {"indices", 1},
+       {"extensions",
+        {{"KHR_draco_mesh_compression", {{"bufferView", 0}, {"attributes", {{"POSITION", 0}}}}}}}});
   document["accessors"] = {
       {{"componentType", 5126}, {"count", grid.positions.size()}, {"type", "VEC3"}},
       {{"componentType", 5125}, {"count", grid.corners.size()}, {"type", "SCALAR"}}};
@@ -135,9 +135,10 @@ TEST(GltfDraco, TakesPlainDataWhereThereAreAnyAndTheExtensionIsNotRequired) {
   data.append(reinterpret_cast<const char*>(grid.corners.data()), grid.corners.size() * 4);
   json document = dracoDocument(grid, 10);
   document.erase("extensionsRequired");
-  document["bufferViews"] = {{{"buffer", 0}, {"byteLength", 10}},
-                             {{"buffer", 0}, {"byteLength", first}},
-                             {{"buffer", 0}, {"byteOffset", first}, {"byteLength", data.size() - first}}};
+  document["bufferViews"] = {
+      {{"buffer", 0}, {"byteLength", 10}},
+      {{"buffer", 0}, {"byteLength", first}},
+      {{"buffer", 0}, {"byteOffset", first}, {"byteLength", data.size() - first}}};
   document["accessors"][0]["bufferView"] = 1;
   document["accessors"][1]["bufferView"] = 2;
   const auto mesh = readBytes("a.glb", glbFile(document, data));
@@ -298,8 +299,9 @@ TEST(GltfMeshopt, RefusesWhatItCannotUnpack) {
     json& how = changed["bufferViews"][0]["extensions"]["EXT_meshopt_compression"];
     if (*key != '\0') how[key] = value;
     const std::string words = refusalOf("a.glb", glbFile(changed, bytes));
-    const std::string begin = "its buffer view 0 is compressed (EXT_meshopt_compression) and cannot "
-                              "be unpacked: ";
+    const std::string begin =
+        "its buffer view 0 is compressed (EXT_meshopt_compression) and cannot "
+        "be unpacked: ";
     EXPECT_EQ(words.substr(0, begin.size()), begin);
     return words.substr(std::min(begin.size(), words.size()));
   };

@@ -122,8 +122,7 @@ TEST(ReadGltf, RefusesWhatLiesOutsideOfTheFile) {
             "its accessor 0 lies in a buffer view that is longer than its buffer");
   EXPECT_EQ(refusal("/accessors/0/bufferView", 7),
             "its accessor 0 names a buffer view that does not exist");
-  EXPECT_EQ(refusal("/meshes/0/primitives/0/indices", 7),
-            "it names accessor 7 but there are 2");
+  EXPECT_EQ(refusal("/meshes/0/primitives/0/indices", 7), "it names accessor 7 but there are 2");
   EXPECT_EQ(refusal("/nodes/0/mesh", 3), "it names mesh 3 but there are 1");
   EXPECT_EQ(refusal("/scenes/0/nodes", {4}), "it names node 4 but there are 1");
   EXPECT_EQ(refusal("/nodes/0/children", {0}), "its node 0 hangs below two nodes or below itself");

@@ -37,9 +37,15 @@ TEST(GapCheck, PartsChartsThatOverlapALittle) {
 
 TEST(GapCheck, NamesAChartStuckInABay) {
   // The bay is wider than the square, but not by two gaps.
-  const ChartOutline bay =
-      outlineOfLoop({{0, 0}, {0.5, 0}, {0.5, 0.3}, {0.265, 0.3}, {0.265, 0.1}, {0.235, 0.1},
-                     {0.235, 0.3}, {0, 0.3}}, 0.144);
+  const ChartOutline bay = outlineOfLoop({{0, 0},
+                                          {0.5, 0},
+                                          {0.5, 0.3},
+                                          {0.265, 0.3},
+                                          {0.265, 0.1},
+                                          {0.235, 0.1},
+                                          {0.235, 0.3},
+                                          {0, 0.3}},
+                                         0.144);
   const ChartOutline square = rectangle(0.02, 0.02);
   std::vector<PlacedOutline> charts{{&square, {0, 0}, {0.44, 0.35, 0}},
                                     {&bay, {0, 0}, {0.2, 0.2, 0}}};

@@ -97,8 +97,8 @@ TEST_P(FastOn, FloodsCountWhatTheirChartsHold) {
   const CoarseGraph coarse = makeCoarseGraph(source(), clusterFaces(*mesh_, {}, 9));
   Rng rng(5);
   const std::size_t charts = std::max<std::size_t>(6, mesh_->componentCount());
-  const auto seeds = placeCoarseSeeds(coarse, mesh_->componentCount(), charts, {},
-                                      evenShares(*mesh_), rng);
+  const auto seeds =
+      placeCoarseSeeds(coarse, mesh_->componentCount(), charts, {}, evenShares(*mesh_), rng);
   NodeFlood flood(*mesh_, coarse.nodes, charts);
   flood.start(seeds, std::vector<double>(charts, 0), true, nullptr);
   flood.take(mesh_->faceCount(), nullptr);

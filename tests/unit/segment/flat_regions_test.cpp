@@ -149,7 +149,8 @@ TEST(FlatStart, CutsNoQuadWhileAnotherEdgeCanBeABorder) {
     const auto partner = quadPartners(*mesh, *flatRegions(*mesh, mesh->faceCount()));
     const std::size_t quads =
         (mesh->faceCount() -
-         static_cast<std::size_t>(std::count(partner.begin(), partner.end(), kNone))) / 2;
+         static_cast<std::size_t>(std::count(partner.begin(), partner.end(), kNone))) /
+        2;
     const std::size_t units = mesh->faceCount() - quads;
     for (const std::size_t asked : {1u, 2u, 3u, 5u, 6u, 7u, 12u, 20u, 40u, 100u, 300u, 1000u}) {
       if (!hasFlatParts(*mesh, asked)) continue;
@@ -158,7 +159,8 @@ TEST(FlatStart, CutsNoQuadWhileAnotherEdgeCanBeABorder) {
       const std::size_t charts = state.chartCount;
       EXPECT_EQ(charts, std::min(std::max(asked, mesh->componentCount()), mesh->faceCount()))
           << name << ' ' << asked;
-      EXPECT_EQ(cutQuads(*mesh, state), charts > units ? charts - units : 0) << name << ' ' << asked;
+      EXPECT_EQ(cutQuads(*mesh, state), charts > units ? charts - units : 0)
+          << name << ' ' << asked;
     }
   }
 }

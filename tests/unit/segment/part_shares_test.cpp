@@ -25,7 +25,7 @@ namespace chartflood {
 namespace {
 
 Segmentation finishedParts(const SegmentInputs& in, std::size_t charts, SearchKind search,
-                      const char* method = "t-flooding") {
+                           const char* method = "t-flooding") {
   SegmentOptions options;
   options.charts = charts;
   options.search = search;
