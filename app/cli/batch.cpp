@@ -13,13 +13,13 @@
 #include "app/cli/picture.h"
 #include "app/cli/run_session.h"
 #include "app/cli/values.h"
-#include "app/host/export_files.h"
-#include "app/host/session_view.h"
+#include "app/host/files/export_files.h"
+#include "app/host/files/session_view.h"
 #include "core/base/error.h"
-#include "core/io/file_output.h"
-#include "core/io/write_labels.h"
-#include "core/io/write_report.h"
-#include "core/session/make_report.h"
+#include "core/io/write/file_output.h"
+#include "core/io/write/write_labels.h"
+#include "core/io/write/write_report.h"
+#include "core/session/pipeline/make_report.h"
 
 namespace chartflood {
 

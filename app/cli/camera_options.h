@@ -3,7 +3,7 @@
 
 #include "app/cli/options.h"
 #include "core/model/mesh.h"
-#include "render/camera.h"
+#include "render/scene/camera.h"
 
 namespace chartflood {
 

@@ -11,10 +11,10 @@
 #include "app/cli/run_session.h"
 #include "app/cli/side_by_side.h"
 #include "core/base/error.h"
-#include "core/io/file_output.h"
-#include "core/io/write_report.h"
-#include "core/session/compared_methods.h"
-#include "core/session/make_report.h"
+#include "core/io/write/file_output.h"
+#include "core/io/write/write_report.h"
+#include "core/session/pipeline/compared_methods.h"
+#include "core/session/pipeline/make_report.h"
 
 namespace chartflood {
 

@@ -8,10 +8,11 @@
 
 #include <glm/common.hpp>
 
-#include "app/host/action_registry.h"
-#include "core/io/samples.h"
-#include "core/session/make_report.h"
-#include "render/color_map.h"
+#include "app/host/actions/actions.h"
+#include "app/host/script/action_registry.h"
+#include "core/samples/samples.h"
+#include "core/session/pipeline/make_report.h"
+#include "render/scene/color_map.h"
 
 namespace chartflood {
 

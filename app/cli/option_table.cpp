@@ -1,7 +1,7 @@
 #include "app/cli/option_table.h"
 
-#include "core/session/parameters.h"
-#include "render/render_settings.h"
+#include "core/session/settings/parameters.h"
+#include "render/scene/render_settings.h"
 
 namespace chartflood {
 

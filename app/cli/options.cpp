@@ -7,13 +7,13 @@
 #include "app/cli/option_table.h"
 #include "app/cli/tokens.h"
 #include "app/cli/values.h"
-#include "app/host/picture_record.h"
-#include "app/host/preferences.h"
-#include "app/host/session_view.h"
-#include "app/host/standard_paths.h"
+#include "app/host/files/picture_record.h"
+#include "app/host/files/session_view.h"
+#include "app/host/settings/preferences.h"
+#include "app/host/settings/standard_paths.h"
 #include "core/base/error.h"
-#include "core/io/samples.h"
-#include "render/color_map.h"
+#include "core/samples/samples.h"
+#include "render/scene/color_map.h"
 
 namespace chartflood {
 

@@ -12,11 +12,11 @@
 
 #include "core/base/index.h"
 #include "core/base/log.h"
-#include "core/session/parameters.h"
-#include "core/session/session_io.h"
-#include "render/camera.h"
-#include "render/render_settings.h"
-#include "render/uv_camera.h"
+#include "core/session/files/session_io.h"
+#include "core/session/settings/parameters.h"
+#include "render/scene/camera.h"
+#include "render/scene/render_settings.h"
+#include "render/scene/uv_camera.h"
 
 namespace chartflood {
 

@@ -1,6 +1,6 @@
 #include "app/cli/parameter_page.h"
 
-#include "core/session/parameters.h"
+#include "core/session/settings/parameters.h"
 
 namespace chartflood {
 

@@ -7,14 +7,14 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/cli/camera_options.h"
-#include "app/host/film_frame.h"
-#include "app/host/problem_marks.h"
-#include "app/host/problems.h"
+#include "app/host/film/film_frame.h"
+#include "app/host/insight/problem_marks.h"
+#include "app/host/insight/problems.h"
 #include "core/gauss/sector_normals.h"
-#include "render/corner_uv.h"
 #include "render/gl/offscreen_context.h"
-#include "render/offscreen_render.h"
-#include "render/renderer.h"
+#include "render/passes/offscreen_render.h"
+#include "render/passes/renderer.h"
+#include "render/scene/corner_uv.h"
 
 namespace chartflood {
 

@@ -6,7 +6,7 @@
 
 #include "app/cli/options.h"
 #include "core/session/session.h"
-#include "render/image.h"
+#include "render/scene/image.h"
 
 namespace chartflood {
 

@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "core/base/log.h"
-#include "core/io/read_hints.h"
-#include "core/io/samples.h"
-#include "core/session/run_set.h"
+#include "core/io/read/read_hints.h"
+#include "core/samples/samples.h"
+#include "core/session/pipeline/run_set.h"
 
 namespace chartflood {
 

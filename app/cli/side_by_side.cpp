@@ -4,11 +4,11 @@
 
 #include "app/cli/picture.h"
 #include "core/base/error.h"
-#include "render/eye.h"
 #include "render/gl/offscreen_context.h"
-#include "render/offscreen_render.h"
-#include "render/overlay.h"
-#include "render/texture_units.h"
+#include "render/passes/offscreen_render.h"
+#include "render/passes/overlay.h"
+#include "render/passes/texture_units.h"
+#include "render/scene/eye.h"
 
 namespace chartflood {
 

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/error.h"
-#include "core/session/parameters.h"
+#include "core/session/settings/parameters.h"
 
 namespace chartflood {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/io/parse_number.h"
-#include "core/session/parameters.h"
+#include "core/io/text/parse_number.h"
+#include "core/session/settings/parameters.h"
 
 namespace chartflood {
 

@@ -5,11 +5,11 @@
 
 #include <imgui_internal.h>
 
-#include "app/gui/panels/compare_panel.h"
 #include "app/gui/panels/panels.h"
 #include "app/gui/panels/problem_key.h"
-#include "app/gui/panels/seeds_tool.h"
-#include "app/gui/widgets.h"
+#include "app/gui/tools/compare_panel.h"
+#include "app/gui/tools/seeds_tool.h"
+#include "app/gui/widgets/widgets.h"
 
 namespace chartflood {
 

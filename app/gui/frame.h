@@ -2,13 +2,13 @@
 /// The interface as a whole: where each panel stands, which keys act, when the next frame is due.
 /// Needs a Dear ImGui context, but no window and no GL.
 
-#include "app/gui/file_browser.h"
-#include "app/gui/panels/compare_panel.h"
-#include "app/gui/panels/scene_panel.h"
-#include "app/gui/panels/uv_panel.h"
-#include "app/gui/probe.h"
-#include "app/gui/theme.h"
-#include "app/gui/ui.h"
+#include "app/gui/tools/compare_panel.h"
+#include "app/gui/tools/scene_panel.h"
+#include "app/gui/tools/uv_panel.h"
+#include "app/gui/widgets/file_browser.h"
+#include "app/gui/widgets/probe.h"
+#include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/ui.h"
 
 namespace chartflood {
 

@@ -16,16 +16,16 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include "app/gui/compare_scene.h"
-#include "app/gui/frame_damage.h"
 #include "app/gui/glfw_window.h"
-#include "app/gui/imgui_gl.h"
-#include "app/gui/key_names.h"
-#include "app/gui/picture_preview.h"
-#include "app/gui/picture_taker.h"
-#include "app/gui/scene_view.h"
-#include "app/gui/uv_view.h"
-#include "app/host/command.h"
+#include "app/gui/views/compare_scene.h"
+#include "app/gui/views/picture_preview.h"
+#include "app/gui/views/picture_taker.h"
+#include "app/gui/views/scene_view.h"
+#include "app/gui/views/uv_view.h"
+#include "app/gui/widgets/frame_damage.h"
+#include "app/gui/widgets/imgui_gl.h"
+#include "app/gui/widgets/key_names.h"
+#include "app/host/script/command.h"
 #include "core/base/failure.h"
 
 namespace chartflood {

@@ -2,9 +2,10 @@
 
 #include <cstdlib>
 
-#include "app/host/action_registry.h"
-#include "app/host/session_view.h"
-#include "app/host/standard_paths.h"
+#include "app/host/actions/actions.h"
+#include "app/host/files/session_view.h"
+#include "app/host/script/action_registry.h"
+#include "app/host/settings/standard_paths.h"
 #include "core/base/error.h"
 #include "core/base/failure.h"
 #include "core/base/log.h"

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/gui/window.h"
+#include "core/session/files/session_io.h"
 #include "core/session/session.h"
-#include "core/session/session_io.h"
-#include "render/render_settings.h"
+#include "render/scene/render_settings.h"
 
 namespace chartflood {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "core/io/gltf_geometry.h"
+#include "core/io/read/gltf_geometry.h"
 
 namespace chartflood {
 

@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
-#include "core/io/reference_path.h"
+#include "core/io/read/reference_path.h"
 
 namespace chartflood {
 

@@ -27,9 +27,9 @@
 #include "app/import/folder_files.h"
 #include "app/import/scene_mesh.h"
 #include "core/base/error.h"
-#include "core/io/import_limits.h"
-#include "core/io/import_reply.h"
-#include "core/io/read_gltf.h"
+#include "core/io/read/import_limits.h"
+#include "core/io/read/import_reply.h"
+#include "core/io/read/read_gltf.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 #include <assimp/scene.h>
 
-#include "core/io/face_builder.h"
-#include "core/io/weld.h"
+#include "core/io/read/face_builder.h"
+#include "core/io/read/weld.h"
 
 namespace chartflood {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// From a scene of the import library to a mesh.
 
-#include "core/io/import_reply.h"
+#include "core/io/read/import_reply.h"
 
 struct aiScene;
 

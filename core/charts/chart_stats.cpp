@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/segment/balance.h"
+#include "core/segment/parts/balance.h"
 
 namespace chartflood {
 

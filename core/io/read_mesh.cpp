@@ -10,14 +10,14 @@
 #include "core/base/error.h"
 #include "core/base/file_bytes.h"
 #include "core/io/mesh_formats.h"
-#include "core/io/read_3mf.h"
-#include "core/io/read_assimp.h"
-#include "core/io/read_gltf.h"
-#include "core/io/read_obj.h"
-#include "core/io/read_off.h"
-#include "core/io/read_ply.h"
-#include "core/io/read_stl.h"
-#include "core/io/source.h"
+#include "core/io/read/read_3mf.h"
+#include "core/io/read/read_assimp.h"
+#include "core/io/read/read_gltf.h"
+#include "core/io/read/read_obj.h"
+#include "core/io/read/read_off.h"
+#include "core/io/read/read_ply.h"
+#include "core/io/read/read_stl.h"
+#include "core/io/text/source.h"
 
 namespace chartflood {
 

@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "core/base/error.h"
-#include "core/io/file_output.h"
+#include "core/io/write/file_output.h"
 
 namespace chartflood {
 

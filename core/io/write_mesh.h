@@ -5,11 +5,11 @@
 #include <span>
 #include <string>
 
-#include "core/io/charted_mesh.h"
 #include "core/io/mesh_formats.h"
-#include "core/io/write_glb.h"
-#include "core/io/write_obj.h"
-#include "core/io/write_ply.h"
+#include "core/io/write/charted_mesh.h"
+#include "core/io/write/write_glb.h"
+#include "core/io/write/write_obj.h"
+#include "core/io/write/write_ply.h"
 
 namespace chartflood {
 

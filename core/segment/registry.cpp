@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "core/segment/mcgim.h"
+#include "core/segment/growth/mcgim.h"
+#include "core/segment/growth/vsa.h"
 #include "core/segment/t_flooding.h"
-#include "core/segment/vsa.h"
 
 namespace chartflood {
 

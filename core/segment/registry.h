@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/segment/segmenter.h"
+#include "core/segment/parts/segmenter.h"
 
 namespace chartflood {
 

@@ -5,12 +5,12 @@
 
 #include "core/base/rng.h"
 #include "core/flood/flood.h"
-#include "core/segment/balance.h"
-#include "core/segment/chart_areas.h"
-#include "core/segment/fast_flooding.h"
-#include "core/segment/flood_rounds.h"
-#include "core/segment/round_plan.h"
-#include "core/segment/seeds.h"
+#include "core/segment/fast/fast_flooding.h"
+#include "core/segment/parts/balance.h"
+#include "core/segment/parts/chart_areas.h"
+#include "core/segment/parts/seeds.h"
+#include "core/segment/rounds/flood_rounds.h"
+#include "core/segment/rounds/round_plan.h"
 
 namespace chartflood {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/segment/segmenter.h"
+#include "core/segment/parts/segmenter.h"
 
 namespace chartflood {
 

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "core/base/failure.h"
-#include "core/io/file_checksum.h"
+#include "core/io/read/file_checksum.h"
 #include "core/io/read_mesh.h"
-#include "core/io/samples.h"
 #include "core/model/build_mesh.h"
+#include "core/samples/samples.h"
 #include "core/session/job_queue.h"
-#include "core/session/pipeline.h"
+#include "core/session/pipeline/pipeline.h"
 
 namespace chartflood {
 
@@ -284,19 +284,6 @@ class Session::Engine {
   std::vector<Notice> notices_;
   JobQueue queue_;  // last: its thread ends before what it uses
 };
-
-FloodMoment momentOf(const Results& results) {
-  FloodMoment moment;
-  if (results.stale || !results.record) return moment;
-  moment.seeds = results.seeds;
-  moment.offsets = results.offsets;
-  moment.normals = results.normals;
-  moment.creases = results.creases;
-  moment.fast = results.fast;
-  moment.taken = results.record->size();
-  moment.finished = results.finished;
-  return moment;
-}
 
 Session::Session(Worker worker) : engine_(std::make_unique<Engine>(worker)) {}
 Session::~Session() = default;

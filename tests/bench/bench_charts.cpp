@@ -17,8 +17,8 @@
 #include "core/charts/chart_surface.h"
 #include "core/charts/cut_charts.h"
 #include "core/io/read_mesh.h"
-#include "core/io/samples.h"
 #include "core/model/build_mesh.h"
+#include "core/samples/samples.h"
 
 namespace chartflood {
 namespace {

@@ -15,16 +15,16 @@
 #include <benchmark/benchmark.h>
 
 #include "core/charts/chart_surface.h"
+#include "core/io/read/read_obj.h"
+#include "core/io/read/read_off.h"
+#include "core/io/read/read_ply.h"
+#include "core/io/read/read_stl.h"
 #include "core/io/read_mesh.h"
-#include "core/io/read_obj.h"
-#include "core/io/read_off.h"
-#include "core/io/read_ply.h"
-#include "core/io/read_stl.h"
-#include "core/io/samples.h"
+#include "core/io/write/write_seams.h"
+#include "core/io/write/write_uv_svg.h"
 #include "core/io/write_mesh.h"
-#include "core/io/write_seams.h"
-#include "core/io/write_uv_svg.h"
 #include "core/model/build_mesh.h"
+#include "core/samples/samples.h"
 
 namespace chartflood {
 namespace {

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/pack/layout_atlas.h"
-#include "tests/unit/pack/laid_charts.h"
+#include "tests/core/pack/laid_charts.h"
 
 namespace chartflood {
 namespace {

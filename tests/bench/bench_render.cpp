@@ -14,8 +14,8 @@
 #include "core/model/build_mesh.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/offscreen_context.h"
-#include "render/renderer.h"
-#include "render/simple_surface.h"
+#include "render/passes/renderer.h"
+#include "render/passes/simple_surface.h"
 
 namespace chartflood {
 namespace {

@@ -16,7 +16,6 @@
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
 #include "core/io/read_mesh.h"
-#include "core/io/samples.h"
 #include "core/model/build_mesh.h"
 #include "core/param/chart_shape.h"
 #include "core/param/circle_map.h"
@@ -24,6 +23,7 @@
 #include "core/param/free_start.h"
 #include "core/param/stretch.h"
 #include "core/param/unwrap_charts.h"
+#include "core/samples/samples.h"
 #include "core/segment/registry.h"
 
 namespace chartflood {

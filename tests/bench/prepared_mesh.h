@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/io/read_mesh.h"
-#include "core/io/samples.h"
+#include "core/samples/samples.h"
 
 namespace chartflood {
 

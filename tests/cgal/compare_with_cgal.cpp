@@ -19,10 +19,10 @@
 #include "core/gauss/compute_gauss_area.h"
 #include "core/io/read_mesh.h"
 #include "core/model/build_mesh.h"
-#include "core/segment/balance.h"
-#include "core/segment/chart_areas.h"
+#include "core/segment/growth/vsa.h"
+#include "core/segment/parts/balance.h"
+#include "core/segment/parts/chart_areas.h"
 #include "core/segment/registry.h"
-#include "core/segment/vsa.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "render/image.h"
+#include "render/scene/image.h"
 #include "tests/support/run_program.h"
 
 namespace chartflood {

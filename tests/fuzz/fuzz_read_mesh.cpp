@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/io/read_3mf.h"
-#include "core/io/read_gltf.h"
-#include "core/io/read_obj.h"
-#include "core/io/read_off.h"
-#include "core/io/read_ply.h"
-#include "core/io/read_stl.h"
+#include "core/io/read/read_3mf.h"
+#include "core/io/read/read_gltf.h"
+#include "core/io/read/read_obj.h"
+#include "core/io/read/read_off.h"
+#include "core/io/read/read_ply.h"
+#include "core/io/read/read_stl.h"
 #include "core/model/build_mesh.h"
 
 namespace {

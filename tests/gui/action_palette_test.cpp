@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/host/action_search.h"
+#include "app/host/actions/action_search.h"
 #include "tests/gui/headless_frame.h"
 
 namespace chartflood {

@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "app/host/chart_swap.h"
-#include "app/host/session_view.h"
-#include "render/chart_palette.h"
-#include "render/image.h"
+#include "app/host/actions/chart_swap.h"
+#include "app/host/files/session_view.h"
+#include "render/scene/chart_palette.h"
+#include "render/scene/image.h"
 #include "tests/gui/headless_frame.h"
 #include "tests/gui/pointer_source.h"
 #include "tests/support/temporary_folder.h"

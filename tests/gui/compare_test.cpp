@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/host/compare_look.h"
+#include "app/host/state/compare_look.h"
 #include "tests/gui/headless_frame.h"
 #include "tests/gui/pointer_source.h"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/gauss/compute_gauss_area.h"
-#include "core/segment/chart_areas.h"
+#include "core/segment/parts/chart_areas.h"
 #include "tests/gui/headless_frame.h"
 
 namespace chartflood {

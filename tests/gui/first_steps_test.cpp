@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/scene_view.h"
+#include "app/gui/views/scene_view.h"
 #include "render/gl/context.h"
 #include "tests/gui/headless_frame.h"
 #include "tests/support/run_program.h"

@@ -1,6 +1,6 @@
 // What of the window is drawn again: nothing that stays, everything that changes.
 
-#include "app/gui/frame_damage.h"
+#include "app/gui/widgets/frame_damage.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -10,11 +10,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/gui/imgui_gl.h"
+#include "app/gui/widgets/imgui_gl.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/offscreen_context.h"
-#include "render/image.h"
-#include "render/offscreen_render.h"
+#include "render/passes/offscreen_render.h"
+#include "render/scene/image.h"
 #include "tests/gui/headless_frame.h"
 
 namespace chartflood {

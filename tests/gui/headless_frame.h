@@ -6,8 +6,9 @@
 #include <string_view>
 
 #include "app/gui/frame.h"
-#include "app/host/action_registry.h"
-#include "app/host/app_state.h"
+#include "app/host/actions/actions.h"
+#include "app/host/script/action_registry.h"
+#include "app/host/state/app_state.h"
 
 namespace chartflood {
 

@@ -9,8 +9,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/host/hint_edits.h"
-#include "render/renderer.h"
+#include "app/host/actions/hint_edits.h"
+#include "render/passes/renderer.h"
 #include "tests/gui/headless_frame.h"
 #include "tests/gui/pointer_source.h"
 

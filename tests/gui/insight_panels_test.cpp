@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/panels/plot_widgets.h"
-#include "app/host/chart_csv.h"
+#include "app/host/insight/chart_csv.h"
 #include "tests/gui/headless_frame.h"
 
 namespace chartflood {

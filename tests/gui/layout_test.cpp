@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/session/parameters.h"
+#include "core/session/settings/parameters.h"
 #include "tests/gui/headless_frame.h"
 
 namespace chartflood {

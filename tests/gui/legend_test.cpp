@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/host/session_legend.h"
-#include "app/host/session_view.h"
+#include "app/host/files/session_legend.h"
+#include "app/host/files/session_view.h"
 #include "tests/gui/headless_frame.h"
 
 namespace chartflood {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/panels/pane_caption.h"
-#include "app/host/compare_look.h"
+#include "app/host/state/compare_look.h"
 #include "tests/gui/headless_frame.h"
 #include "tests/gui/pointer_source.h"
 

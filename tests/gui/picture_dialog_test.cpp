@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/gui/picture_preview.h"
-#include "app/host/picture_settings.h"
+#include "app/gui/views/picture_preview.h"
+#include "app/host/settings/picture_settings.h"
 #include "core/base/error.h"
 #include "tests/gui/headless_frame.h"
 

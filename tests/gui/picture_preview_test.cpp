@@ -8,9 +8,10 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
-#include "app/gui/imgui_gl.h"
-#include "app/gui/picture_preview.h"
-#include "app/host/action_registry.h"
+#include "app/gui/views/picture_preview.h"
+#include "app/gui/widgets/imgui_gl.h"
+#include "app/host/actions/actions.h"
+#include "app/host/script/action_registry.h"
 #include "render/gl/offscreen_context.h"
 #include "tests/gui/headless_frame.h"
 

@@ -9,11 +9,12 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/picture_taker.h"
-#include "app/host/action_registry.h"
-#include "app/host/chart_swap.h"
+#include "app/gui/views/picture_taker.h"
+#include "app/host/actions/actions.h"
+#include "app/host/actions/chart_swap.h"
+#include "app/host/script/action_registry.h"
 #include "render/gl/offscreen_context.h"
-#include "render/image.h"
+#include "render/scene/image.h"
 #include "tests/support/temporary_folder.h"
 
 namespace chartflood {

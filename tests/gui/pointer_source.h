@@ -2,7 +2,7 @@
 /// A 3D view without GL: draws nothing and finds what is under the mouse by a ray through all
 /// triangles.
 
-#include "app/gui/scene_view.h"
+#include "app/gui/views/scene_view.h"
 
 namespace chartflood {
 

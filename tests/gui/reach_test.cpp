@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
-#include "app/host/action_search.h"
+#include "app/host/actions/action_search.h"
 #include "tests/gui/headless_frame.h"
 
 namespace chartflood {

@@ -10,14 +10,15 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/options.h"
-#include "app/gui/picture_taker.h"
-#include "app/host/action_registry.h"
-#include "app/host/chart_swap.h"
-#include "app/host/film_frame.h"
+#include "app/gui/views/picture_taker.h"
+#include "app/host/actions/actions.h"
+#include "app/host/actions/chart_swap.h"
+#include "app/host/film/film_frame.h"
+#include "app/host/script/action_registry.h"
 #include "core/base/error.h"
-#include "core/io/file_output.h"
+#include "core/io/write/file_output.h"
 #include "render/gl/offscreen_context.h"
-#include "render/image.h"
+#include "render/scene/image.h"
 #include "tests/support/run_program.h"
 
 namespace chartflood {

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/host/seed_steps.h"
-#include "render/renderer.h"
+#include "app/host/film/seed_steps.h"
+#include "render/passes/renderer.h"
 #include "tests/gui/headless_frame.h"
 #include "tests/gui/pointer_source.h"
 

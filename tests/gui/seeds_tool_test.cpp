@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/model/build_mesh.h"
-#include "render/renderer.h"
+#include "render/passes/renderer.h"
 #include "tests/gui/headless_frame.h"
 #include "tests/gui/pointer_source.h"
 

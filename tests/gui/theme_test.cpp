@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/panels/plot_widgets.h"
-#include "app/gui/scene_view.h"
-#include "render/chart_palette.h"
+#include "app/gui/views/scene_view.h"
+#include "render/scene/chart_palette.h"
 #include "tests/gui/headless_frame.h"
 
 namespace chartflood {

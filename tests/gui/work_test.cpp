@@ -9,7 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/host/session_view.h"
+#include "app/host/actions/actions.h"
+#include "app/host/files/session_view.h"
 #include "tests/gui/headless_frame.h"
 #include "tests/support/run_program.h"
 

@@ -17,9 +17,9 @@
 #include "core/io/read_mesh.h"
 #include "core/model/build_mesh.h"
 #include "find_tool.h"
+#include "tests/core/io/export_support.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_meshes.h"
-#include "tests/unit/io/export_support.h"
 
 namespace chartflood::test {
 namespace {

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "core/io/file_output.h"
+#include "core/io/write/file_output.h"
+#include "core/io/write/write_seams.h"
 #include "core/io/write_mesh.h"
-#include "core/io/write_seams.h"
 #include "find_tool.h"
+#include "tests/core/io/export_support.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_meshes.h"
-#include "tests/unit/io/export_support.h"
 
 namespace chartflood::test {
 namespace {

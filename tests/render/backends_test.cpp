@@ -2,8 +2,8 @@
 
 #include "core/base/error.h"
 #include "render/gl/offscreen_context.h"
-#include "render/offscreen_render.h"
-#include "render/renderer.h"
+#include "render/passes/offscreen_render.h"
+#include "render/passes/renderer.h"
 #include "tests/render/shapes.h"
 
 namespace chartflood {

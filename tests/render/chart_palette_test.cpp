@@ -1,4 +1,4 @@
-#include "render/chart_palette.h"
+#include "render/scene/chart_palette.h"
 
 #include <algorithm>
 #include <random>

@@ -1,4 +1,4 @@
-#include "render/color_map.h"
+#include "render/scene/color_map.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "render/render_settings.h"
+#include "render/scene/render_settings.h"
 
 namespace chartflood {
 namespace {

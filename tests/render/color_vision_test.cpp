@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "render/color_vision.h"
+#include "render/scene/color_vision.h"
 
 namespace chartflood {
 namespace {

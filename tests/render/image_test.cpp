@@ -1,5 +1,5 @@
-#include "render/image.h"
-#include "render/read_picture.h"
+#include "render/scene/image.h"
+#include "render/scene/read_picture.h"
 
 #include <array>
 #include <filesystem>

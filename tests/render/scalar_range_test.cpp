@@ -1,4 +1,4 @@
-#include "render/scalar_range.h"
+#include "render/scene/scalar_range.h"
 
 #include <cmath>
 #include <vector>

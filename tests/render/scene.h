@@ -10,8 +10,8 @@
 #include "core/base/log.h"
 #include "render/gl/debug.h"
 #include "render/gl/offscreen_context.h"
-#include "render/offscreen_render.h"
-#include "render/renderer.h"
+#include "render/passes/offscreen_render.h"
+#include "render/passes/renderer.h"
 #include "tests/render/shapes.h"
 
 namespace chartflood::test {

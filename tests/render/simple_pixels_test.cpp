@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "core/gauss/sector_normals.h"
-#include "render/simple_surface.h"
+#include "render/passes/simple_surface.h"
 #include "tests/render/scene.h"
 #include "tests/support/test_meshes.h"
 

@@ -1,6 +1,6 @@
 // Fewer triangles in place of a mesh's: how many, where, and what stays apart.
 
-#include "render/simple_surface.h"
+#include "render/passes/simple_surface.h"
 
 #include <set>
 
@@ -10,7 +10,7 @@
 
 #include "core/base/rng.h"
 #include "core/gauss/sector_normals.h"
-#include "render/packed_normal.h"
+#include "render/scene/packed_normal.h"
 #include "tests/render/shapes.h"
 #include "tests/support/test_meshes.h"
 

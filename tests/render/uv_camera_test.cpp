@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "render/uv_camera.h"
+#include "render/scene/uv_camera.h"
 
 namespace chartflood {
 namespace {

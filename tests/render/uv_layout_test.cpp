@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "render/corner_uv.h"
-#include "render/cut_path.h"
-#include "render/uv_layout.h"
+#include "render/scene/corner_uv.h"
+#include "render/scene/cut_path.h"
+#include "render/scene/uv_layout.h"
 #include "tests/render/shapes.h"
 
 namespace chartflood {

@@ -6,7 +6,7 @@
 
 #include "core/flood/build_flood_graph.h"
 #include "core/gauss/compute_gauss_area.h"
-#include "core/segment/segmenter.h"
+#include "core/segment/parts/segmenter.h"
 
 namespace chartflood::test {
 

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "core/io/read_mesh.h"
-#include "core/io/samples.h"
 #include "core/model/build_mesh.h"
+#include "core/samples/samples.h"
 
 namespace chartflood::test {
 

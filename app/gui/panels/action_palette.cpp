@@ -10,8 +10,8 @@
 #include <imgui_stdlib.h>
 
 #include "app/gui/panels/panels.h"
-#include "app/gui/widgets.h"
-#include "app/host/action_search.h"
+#include "app/gui/widgets/widgets.h"
+#include "app/host/actions/action_search.h"
 
 namespace chartflood {
 

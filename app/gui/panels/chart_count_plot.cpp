@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/gui/panels/plot_widgets.h"
-#include "app/gui/widgets.h"
-#include "core/session/run_set.h"
+#include "app/gui/widgets/widgets.h"
+#include "core/session/pipeline/run_set.h"
 
 namespace chartflood {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// What numbers of charts cost and give, of those that were tried.
 
-#include "app/gui/ui.h"
+#include "app/gui/widgets/ui.h"
 
 namespace chartflood {
 

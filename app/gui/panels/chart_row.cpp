@@ -6,8 +6,8 @@
 
 #include "app/gui/panels/panels.h"
 #include "app/gui/panels/plot_widgets.h"
-#include "app/gui/widgets.h"
-#include "app/host/chart_swap.h"
+#include "app/gui/widgets/widgets.h"
+#include "app/host/actions/chart_swap.h"
 
 namespace chartflood {
 

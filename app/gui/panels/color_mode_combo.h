@@ -1,7 +1,7 @@
 #pragma once
 /// The choice of what the colours say, as a combo box and as menu entries.
 
-#include "app/gui/ui.h"
+#include "app/gui/widgets/ui.h"
 
 namespace chartflood {
 

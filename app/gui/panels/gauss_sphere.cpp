@@ -8,7 +8,7 @@
 #include "app/gui/panels/panels.h"
 #include "app/gui/panels/plot_widgets.h"
 #include "app/gui/panels/sphere_drawing.h"
-#include "app/gui/widgets.h"
+#include "app/gui/widgets/widgets.h"
 
 namespace chartflood {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/gui/panels/plot_widgets.h"
-#include "render/color_map.h"
+#include "render/scene/color_map.h"
 
 namespace chartflood {
 

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "app/gui/ui.h"
-#include "app/host/histogram.h"
+#include "app/gui/widgets/ui.h"
+#include "app/host/insight/histogram.h"
 
 namespace chartflood {
 

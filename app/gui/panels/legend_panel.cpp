@@ -11,10 +11,10 @@
 #include <imgui_internal.h>
 
 #include "app/gui/panels/panels.h"
-#include "app/gui/widgets.h"
-#include "app/host/command.h"
-#include "render/color_map.h"
-#include "render/scalar_range.h"
+#include "app/gui/widgets/widgets.h"
+#include "app/host/script/command.h"
+#include "render/scene/color_map.h"
+#include "render/scene/scalar_range.h"
 
 namespace chartflood {
 

@@ -5,9 +5,9 @@
 
 #include "app/gui/panels/color_mode_combo.h"
 #include "app/gui/panels/panels.h"
-#include "app/gui/widgets.h"
-#include "app/host/command.h"
-#include "core/io/samples.h"
+#include "app/gui/widgets/widgets.h"
+#include "app/host/script/command.h"
+#include "core/samples/samples.h"
 
 namespace chartflood {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/gui/widgets.h"
+#include "app/gui/widgets/widgets.h"
 
 namespace chartflood {
 

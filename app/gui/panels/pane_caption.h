@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/ui.h"
-#include "app/host/compare_look.h"
+#include "app/gui/widgets/ui.h"
+#include "app/host/state/compare_look.h"
 
 namespace chartflood {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The panels of the window, each in a file of its own name.
 
-#include "app/gui/ui.h"
+#include "app/gui/widgets/ui.h"
 
 namespace chartflood {
 
@@ -49,7 +49,6 @@ void keysWindow(const Ui& ui);
 /// What pictures are like, what one would look like, and the button that takes it. Without a source
 /// there is no preview.
 void pictureDialog(const Ui& ui, PreviewSource* previews);
-inline constexpr const char* kPictureDialog = "Picture";  ///< name of its window
 /// Name, version, paper, fonts.
 void aboutWindow(const Ui& ui);
 /// Opens the editor of the colours from the bar in the picture, at the bottom right of the area.

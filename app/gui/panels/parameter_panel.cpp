@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "app/gui/panels/panels.h"
-#include "app/gui/widgets.h"
-#include "app/host/staleness.h"
+#include "app/gui/widgets/widgets.h"
+#include "app/host/state/staleness.h"
 
 namespace chartflood {
 

@@ -8,11 +8,11 @@
 #include <imgui_internal.h>
 
 #include "app/gui/panels/panels.h"
-#include "app/gui/picture_preview.h"
-#include "app/gui/widgets.h"
-#include "app/host/action_needs.h"
-#include "app/host/command.h"
-#include "app/host/standard_paths.h"
+#include "app/gui/views/picture_preview.h"
+#include "app/gui/widgets/widgets.h"
+#include "app/host/actions/action_needs.h"
+#include "app/host/script/command.h"
+#include "app/host/settings/standard_paths.h"
 
 namespace chartflood {
 

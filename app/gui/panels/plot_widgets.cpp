@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "app/gui/widgets.h"
+#include "app/gui/widgets/widgets.h"
 
 namespace chartflood {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/ui.h"
+#include "app/gui/widgets/ui.h"
 
 namespace chartflood {
 

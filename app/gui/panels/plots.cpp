@@ -11,7 +11,7 @@
 #include "app/gui/panels/histogram_plot.h"
 #include "app/gui/panels/panels.h"
 #include "app/gui/panels/plot_widgets.h"
-#include "app/gui/widgets.h"
+#include "app/gui/widgets/widgets.h"
 
 namespace chartflood {
 

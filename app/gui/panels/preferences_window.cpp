@@ -6,7 +6,7 @@
 
 #include "app/gui/panels/panels.h"
 #include "app/gui/panels/text_window.h"
-#include "app/gui/widgets.h"
+#include "app/gui/widgets/widgets.h"
 
 namespace chartflood {
 

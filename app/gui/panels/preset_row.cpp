@@ -7,8 +7,8 @@
 #include <imgui_stdlib.h>
 
 #include "app/gui/panels/panels.h"
-#include "app/gui/widgets.h"
-#include "app/host/command.h"
+#include "app/gui/widgets/widgets.h"
+#include "app/host/script/command.h"
 
 namespace chartflood {
 

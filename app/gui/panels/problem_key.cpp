@@ -8,9 +8,9 @@
 
 #include <imgui_internal.h>
 
-#include "app/gui/widgets.h"
-#include "app/host/compare_look.h"
-#include "app/host/problem_marks.h"
+#include "app/gui/widgets/widgets.h"
+#include "app/host/insight/problem_marks.h"
+#include "app/host/state/compare_look.h"
 
 namespace chartflood {
 

@@ -1,8 +1,8 @@
 #pragma once
 /// What the marks of problems on the model mean.
 
-#include "app/gui/ui.h"
-#include "app/host/problems.h"
+#include "app/gui/widgets/ui.h"
+#include "app/host/insight/problems.h"
 
 namespace chartflood {
 

@@ -8,7 +8,7 @@
 
 #include "app/gui/panels/panels.h"
 #include "app/gui/panels/problem_key.h"
-#include "app/gui/widgets.h"
+#include "app/gui/widgets/widgets.h"
 
 namespace chartflood {
 

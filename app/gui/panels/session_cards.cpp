@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/gui/panels/panels.h"
-#include "app/gui/widgets.h"
+#include "app/gui/widgets/widgets.h"
 
 namespace chartflood {
 

@@ -5,9 +5,9 @@
 
 #include <glm/vec3.hpp>
 
-#include "app/gui/ui.h"
-#include "app/host/sphere_patch.h"
-#include "render/camera.h"
+#include "app/gui/widgets/ui.h"
+#include "app/host/insight/sphere_patch.h"
+#include "render/scene/camera.h"
 
 namespace chartflood {
 

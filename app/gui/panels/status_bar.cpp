@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/gui/panels/panels.h"
-#include "app/gui/widgets.h"
-#include "app/host/compare_look.h"
+#include "app/gui/widgets/widgets.h"
+#include "app/host/state/compare_look.h"
 
 namespace chartflood {
 

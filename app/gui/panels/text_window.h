@@ -4,7 +4,7 @@
 #include <functional>
 #include <string_view>
 
-#include "app/gui/ui.h"
+#include "app/gui/widgets/ui.h"
 
 namespace chartflood {
 

@@ -9,7 +9,7 @@
 #include <imgui_internal.h>
 
 #include "app/gui/panels/panels.h"
-#include "app/gui/widgets.h"
+#include "app/gui/widgets/widgets.h"
 
 namespace chartflood {
 

@@ -7,7 +7,7 @@
 
 #include "app/gui/panels/color_mode_combo.h"
 #include "app/gui/panels/panels.h"
-#include "app/gui/widgets.h"
+#include "app/gui/widgets/widgets.h"
 
 namespace chartflood {
 

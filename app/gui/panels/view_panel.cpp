@@ -6,9 +6,9 @@
 #include <string>
 
 #include "app/gui/panels/panels.h"
-#include "app/gui/widgets.h"
-#include "app/host/command.h"
-#include "render/color_map.h"
+#include "app/gui/widgets/widgets.h"
+#include "app/host/script/command.h"
+#include "render/scene/color_map.h"
 
 namespace chartflood {
 

@@ -1,0 +1,300 @@
+// How the 3D view takes in what has changed in the state, so that each part of it goes to the
+// graphics card once.
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "app/gui/views/drawing_budget.h"
+#include "app/gui/views/scene_view.h"
+#include "render/scene/corner_uv.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr std::size_t kFacesAtOnce = 30'000;  // of a flood's log taken in by one pass
+constexpr std::size_t kSimple = 60'000;       // triangles of the simple surface
+constexpr std::size_t kDense = 2 * kSimple;   // from which there is one
+
+template <class Value>
+bool isReady(const std::future<Value>& future) {
+  return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace
+
+void SceneView::takeMesh(const AppState& state, const Results& results) {
+  if (results.mesh == mesh_) return;
+  mesh_ = results.mesh;
+  renderer_.setMesh(mesh_, nullptr);
+  if (pane_.live()) renderer_.setChartColors(state.view.chartColors);
+  recolored_ = state.view.recolored;
+  segmentation_.reset();
+  stats_.reset();
+  record_.reset();
+  derived_.reset();
+  tree_.reset();
+  marks_.reset();
+  seeds_.clear();
+  chartSet_.reset();
+  atlas_.reset();
+  unwrap_.reset();
+  hintsShown_.reset();
+  simpleOf_.reset();
+  simpleLayout_.reset();
+  slow_ = false;
+  ++content_;
+}
+
+void SceneView::takeDerived(const AppState& state, const Results& results) {
+  const bool shared = results.gaussArea == state.results().gaussArea;
+  Insight& insight = shared ? state.insight() : paneInsight(state, pane_);
+  if (!tree_) {
+    tree_ = insight.tree(results);
+    if (tree_) renderer_.setTree(tree_);
+  }
+  const auto derived = insight.surface(results);
+  if (!derived || derived == derived_) return;
+  const auto layout = renderer_.textureLayout();
+  if (!layout) return showDerived(derived, nullptr);
+  // With a texture the vertices are parted beside the window; what is ready is shown, even when a
+  // newer one is wanted by now.
+  if (isReady(parting_)) {
+    const Parting done = parting_.get();
+    if (done.layout == layout) showDerived(done.derived, done.vertices.get());
+  }
+  if (derived == derived_ || parting_.valid()) return;
+  parting_ = std::async(std::launch::async, [derived, layout, wake = wake_] {
+    Parting done{derived, layout, partedVertices(*derived->vertices, layout->corners)};
+    wake();
+    return done;
+  });
+}
+
+void SceneView::showDerived(std::shared_ptr<const SurfaceDerived> derived,
+                            const SurfaceVertices* parted) {
+  derived_ = std::move(derived);
+  renderer_.setVertices(derived_->vertices, parted);
+  renderer_.setGaussValues(derived_->gaussValues);
+  const int samples[] = {1, kSmoothSamples};
+  if (warmedFor_ != mesh_) renderer_.warmUp(RenderSettings{}, samples);
+  warmedFor_ = mesh_;
+  ++content_;
+}
+
+/// Fronts of the film in two colours that everyone can tell apart, what they remember dashed.
+void SceneView::takeFilm(const AppState& state) {
+  const bool shown = state.film.ready();
+  if (shown == filmShown_ && (!shown || state.film.position() == filmStep_)) return;
+  filmShown_ = shown;
+  filmStep_ = state.film.position();
+  hintsShown_.reset();  // they come back after the film
+  std::vector<EdgeLines> lines;
+  if (shown) {
+    const HandleFilm::Lines& film = state.film.lines();
+    lines.push_back({film.kept, glm::vec3(0.95f, 0.90f, 0.25f), 2.2f, true});
+    lines.push_back({film.fronts, glm::vec3(1), 2.6f, false});
+    lines.push_back({film.cuts, glm::vec3(0.84f, 0.37f, 0.0f), 3.4f, false});
+  }
+  renderer_.setLines(lines);
+  ++content_;
+}
+
+/// Painted edges while the tool is in the hand: where seams are welcome whole, where not dashed.
+void SceneView::takeHints(const AppState& state) {
+  if (filmShown_) return;
+  HintsShown wanted;
+  if (state.panels.tool == PanelState::Tool::Hints) {
+    wanted.hints = state.document().hints;
+    if (state.hintStroke) wanted.stroke = state.hintStroke->vertices;
+    wanted.brush = state.panels.brush;
+  }
+  if (hintsShown_ == wanted) return;
+  std::vector<EdgeLines> lines;
+  const glm::vec3 cut(0.25f, 0.88f, 0.95f), never(0.95f, 0.35f, 0.65f), erase(1);
+  lines.push_back({hintSides(*mesh_, wanted.hints, HintKind::Cut), cut, 3.4f, false});
+  lines.push_back({hintSides(*mesh_, wanted.hints, HintKind::Never), never, 3.4f, true});
+  lines.push_back({sidesAlong(*mesh_, wanted.stroke),
+                   wanted.brush == HintBrush::Cut     ? cut
+                   : wanted.brush == HintBrush::Never ? never
+                                                      : erase,
+                   3.4f, wanted.brush == HintBrush::Never});
+  std::erase_if(lines, [](const EdgeLines& each) { return each.sides.empty(); });
+  renderer_.setLines(lines);
+  hintsShown_ = std::move(wanted);
+  ++content_;
+}
+
+void SceneView::takeFlood(std::shared_ptr<const FloodRecord> record) {
+  if (record != record_) {
+    record_ = std::move(record);
+    recorded_ = 0;
+    floodTaken_ = false;
+    renderer_.setFlood(record_, 0);
+    ++content_;
+  }
+  if (record_ && (record_->size() != recorded_ || !floodTaken_)) {
+    recorded_ = record_->size();
+    // A whole flood at once would hold up the window; the rest comes with the next passes.
+    floodTaken_ = renderer_.updateFlood(kFacesAtOnce);
+    if (!floodTaken_) wake_();
+    ++content_;
+  }
+}
+
+/// Labels of a moment of the refinement, or the finished ones again.
+void SceneView::takeBorders(const AppState& state) {
+  std::shared_ptr<const ChartStats> moment;
+  if (state.playback.inBorders() && segmentation_) moment = state.shownStats();
+  if (moment == borders_) return;
+  borders_ = moment;
+  renderer_.setLabels(moment ? state.shownLabels() : std::span<const Index>(segmentation_->label));
+  ++content_;
+}
+
+/// Colours of balance are those of the moment.
+void SceneView::takeAreas(const AppState& state) {
+  const auto& stats = state.shownStats();
+  if (!stats || stats == stats_) return;
+  stats_ = stats;
+  std::vector<double> areas;
+  for (const ChartFigures& chart : stats->charts) areas.push_back(chart.gaussArea);
+  renderer_.setChartAreas(areas);
+  if (state.view.render.colorMode == ColorMode::Balance) ++content_;
+}
+
+void SceneView::takeSeeds(const AppState& state) {
+  std::vector<SeedMark> marks =
+      pane_.live() ? seedMarks(state) : state.compare.stored[pane_.stored].seeds;
+  if (marks == seeds_) return;
+  seeds_ = std::move(marks);
+  renderer_.setSeeds(seeds_);
+  ++content_;
+}
+
+/// Only while they are shown: to find them takes as long as to flood a large model.
+void SceneView::takeMarks(const AppState& state, const Results& results) {
+  const bool shown =
+      state.compare.showing() ? paneLook(state, pane_).problems : state.view.render.problems;
+  if (!shown || (pane_.live() && state.playback.playing())) return;
+  const auto wanted = paneInsight(state, pane_).problemMarks(results);
+  if (wanted == marks_) return;
+  marks_ = wanted;
+  renderer_.setMarks(marks_ ? *marks_ : SurfaceMarks{});
+  ++content_;
+}
+
+void SceneView::takeUnwrap(const Results& results) {
+  if (isReady(flat_)) {
+    Flat flat = flat_.get();
+    if (flat.mesh == mesh_ && atlas_) {
+      renderer_.setCuts(flat.cuts);
+      const bool fits = derived_ && flat.vertices == derived_->vertices;
+      renderer_.setUvLayout(std::move(flat.layout), fits ? flat.parted.get() : nullptr);
+      ++content_;
+    }
+  }
+  if ((results.atlas == atlas_ && results.charts == chartSet_) || flat_.valid()) return;
+  atlas_ = results.atlas;
+  chartSet_ = results.charts;
+  if (!atlas_ || !chartSet_) {
+    atlas_.reset();
+    renderer_.setCuts(chartSet_ ? cutSides(*chartSet_) : std::vector<Index>{});
+    renderer_.setCornerUv({});
+    ++content_;
+    return;
+  }
+  flat_ = std::async(std::launch::async, [mesh = mesh_, charts = chartSet_, atlas = atlas_,
+                                          derived = derived_, wake = wake_] {
+    Flat flat;
+    flat.mesh = mesh;
+    flat.layout =
+        std::make_shared<const UvLayout>(uvLayout(*mesh, cornerUv(*mesh, *charts, *atlas)));
+    flat.cuts = cutSides(*charts);
+    if (derived) {
+      flat.vertices = derived->vertices;
+      flat.parted = partedVertices(*flat.vertices, flat.layout->corners);
+    }
+    wake();
+    return flat;
+  });
+}
+
+void SceneView::takeDistortion(const Results& results) {
+  if (results.unwrap == unwrap_) return;
+  unwrap_ = results.unwrap;
+  const auto show = [&](ColorMode mode, std::span<const float> values) {
+    // A part that does not fit the mesh is none.
+    const bool fits = values.size() == mesh_->triangleCount();
+    renderer_.setTriangleValues(mode, fits ? values : std::span<const float>{});
+  };
+  static const Unwrap none;
+  const Unwrap& unwrap = unwrap_ ? *unwrap_ : none;
+  show(ColorMode::Stretch, unwrap.stretch);
+  show(ColorMode::AreaDistortion, unwrap.area);
+  show(ColorMode::AngleDistortion, unwrap.angle);
+  ++content_;
+}
+
+/// Where pictures are slow, fewer triangles are made ready for the next motion.
+void SceneView::takeSimple(const AppState& state) {
+  const auto layout = renderer_.textureLayout();
+  if (isReady(simplifying_)) {
+    const Simplified done = simplifying_.get();
+    if (done.mesh == mesh_ && done.layout == layout) {
+      coarse(SurfaceForm::Simple) = false;
+      renderer_.setSimpleSurface(*done.surface);
+      const int samples[] = {1};
+      renderer_.warmUp(settings(state, 1), samples, SurfaceForm::Simple);
+    }
+  }
+  if (!slow_ || !derived_ || mesh_->triangleCount() < kDense || simplifying_.valid()) return;
+  if (simpleOf_ == derived_ && simpleLayout_ == layout) return;
+  // Normals of a moment ago are good enough while a slider moves them.
+  if (renderer_.hasSimpleSurface() && state.changing()) return;
+  simpleOf_ = derived_;
+  simpleLayout_ = layout;
+  simplifying_ =
+      std::async(std::launch::async, [mesh = mesh_, derived = derived_, layout, wake = wake_] {
+        Simplified done{mesh, derived, layout,
+                        simpleSurface(*mesh, *derived->vertices, layout.get(), kSimple)};
+        wake();
+        return done;
+      });
+}
+
+void SceneView::takeIn(const AppState& state) {
+  const Results& results = paneResults(state, pane_);
+  takeMesh(state, results);
+  if (!mesh_) return;
+  takeDerived(state, results);
+  if (results.segmentation != segmentation_) {
+    segmentation_ = results.segmentation;
+    renderer_.setSegmentation(segmentation_.get());
+    stats_.reset();
+    borders_.reset();
+    ++content_;
+  }
+  if (pane_.live() && recolored_ != state.view.recolored) {
+    renderer_.setChartColors(state.view.chartColors);
+    recolored_ = state.view.recolored;
+    ++content_;
+  }
+  if (pane_.live()) {
+    takeFlood(state.film.ready() ? state.film.flood() : state.playback.record());
+    takeBorders(state);
+    takeAreas(state);
+  } else {
+    takeFlood(results.record);
+  }
+  takeSeeds(state);
+  if (pane_.live()) takeFilm(state);
+  if (pane_.live()) takeHints(state);
+  takeMarks(state, results);
+  takeUnwrap(results);
+  takeDistortion(results);
+  takeSimple(state);
+}
+
+}  // namespace chartflood

@@ -1,0 +1,198 @@
+#include "app/gui/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include "app/host/script/command.h"
+
+namespace chartflood {
+
+namespace {
+
+constexpr double kTooltipDelay = 0.5;
+
+const Action* actionOf(const Ui& ui, std::string_view line) {
+  return ui.actions.find(parseCommand(line).action);
+}
+
+/// Title with key, help and, where it cannot run, the reason.
+void actionTooltip(const Ui& ui, std::string_view line, const std::string& reason) {
+  const Action* action = actionOf(ui, line);
+  if (action == nullptr) return;
+  const std::string key = ui.actions.shortcut(line);
+  const std::string title = key.empty() ? action->title : action->title + "   " + key;
+  tooltip(ui, line, title, reason.empty() ? action->help : action->help + "\n" + reason);
+}
+
+/// Runs a widget greyed out when `reason` is not empty. Hovering still works there.
+template <typename Widget>
+bool guarded(const std::string& reason, Widget&& widget) {
+  if (reason.empty()) return widget();
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * 0.42f);
+  ImGui::PushItemFlag(ImGuiItemFlags_Disabled, true);
+  widget();
+  ImGui::PopItemFlag();
+  ImGui::PopStyleVar();
+  return false;
+}
+
+}  // namespace
+
+void tooltip(const Ui& ui, std::string_view label, std::string_view title, std::string_view text) {
+  const bool focused = ImGui::IsItemFocused() && GImGui->NavDisableHighlight == false;
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !focused) return;
+  if (ImGui::IsItemActive() || ImGui::IsMouseDown(0)) return;
+  UiMemory& memory = ui.memory;
+  if (memory.hovered != label) {
+    memory.hovered = label;
+    memory.hoveredSince = ImGui::GetTime();
+  }
+  memory.hoveredSeen = true;
+  const double rested = ImGui::GetTime() - memory.hoveredSince;
+  if (rested < kTooltipDelay) return ui.wakeIn(kTooltipDelay - rested);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.px(320));
+  if (!title.empty()) {
+    ImGui::PushFont(ui.theme.strong);
+    ImGui::TextUnformatted(title.data(), title.data() + title.size());
+    ImGui::PopFont();
+  }
+  if (!text.empty()) ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void iconButton(const Ui& ui, Icon icon, std::string_view line, ImVec2 size) {
+  const std::string reason = ui.actions.refusal(line, ui.state);
+  const std::string id = "##" + std::string(line);
+  const bool clicked = guarded(reason, [&] {
+    const bool pressed = ImGui::Button(id.c_str(), size);
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const ImVec2 center{(low.x + high.x) / 2, (low.y + high.y) / 2};
+    drawIcon(*ImGui::GetWindowDrawList(), icon, center, ui.px(15),
+             ImGui::GetColorU32(ImGuiCol_Text));
+    return pressed;
+  });
+  ui.probe.item(line);
+  actionTooltip(ui, line, reason);
+  if (clicked) ui.run(line);
+}
+
+void textButton(const Ui& ui, const char* words, std::string_view line, ImVec2 size) {
+  const std::string reason = ui.actions.refusal(line, ui.state);
+  ImGui::PushID(line.data(), line.data() + line.size());
+  const bool clicked = guarded(reason, [&] { return ImGui::Button(words, size); });
+  ImGui::PopID();
+  ui.probe.item(line);
+  actionTooltip(ui, line, reason);
+  if (clicked) ui.run(line);
+}
+
+void actionMenuItem(const Ui& ui, std::string_view line, const std::string& title) {
+  const Action* action = actionOf(ui, line);
+  if (action == nullptr) return;
+  const std::string reason = ui.actions.refusal(line, ui.state);
+  const std::string key = ui.actions.shortcut(line);
+  ImGui::PushID(line.data(), line.data() + line.size());
+  const bool clicked =
+      ImGui::MenuItem(title.empty() ? action->title.c_str() : title.c_str(), key.c_str(),
+                      ui.actions.checked(line, ui.state), reason.empty());
+  ImGui::PopID();
+  ui.probe.item("menu/" + std::string(line));
+  tooltip(ui, line, "", reason.empty() ? action->help : reason);
+  if (clicked) ui.run(line);
+}
+
+void rowLabel(const char* words, float share) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(words);
+  ImGui::SameLine(std::round(ImGui::GetWindowContentRegionMax().x * share));
+}
+
+void switchRow(const Ui& ui, const char* words, bool on, std::string_view line) {
+  const std::string reason = ui.actions.refusal(line, ui.state);
+  ImGui::PushID(line.data(), line.data() + line.size());
+  const bool clicked = guarded(reason, [&] { return ImGui::Checkbox(words, &on); });
+  ImGui::PopID();
+  ui.probe.item(line);
+  actionTooltip(ui, line, reason);
+  if (clicked) ui.run(line);
+}
+
+bool section(const Ui& ui, const char* title, bool openAtFirst, bool openNow,
+             const std::string& stale) {
+  ImGui::Dummy({0, ui.px(1)});
+  ImGui::PushFont(ui.theme.strong);
+  ImGui::PushStyleColor(ImGuiCol_Header, ui.theme.palette.bar);
+  ImGui::PushStyleColor(ImGuiCol_HeaderHovered, ui.theme.palette.control);
+  ImGui::SetNextItemOpen(openAtFirst || openNow, openNow ? ImGuiCond_Always : ImGuiCond_Once);
+  const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_SpanAvailWidth);
+  ImGui::PopStyleColor(2);
+  ImGui::PopFont();
+  ui.probe.item(std::string("section/") + title);
+  if (stale.empty()) return open;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 at{high.x - ui.px(14), (low.y + high.y) / 2};
+  const float radius = ui.px(4);
+  ImGui::GetWindowDrawList()->AddCircleFilled(at, radius, ui.theme.palette.front);
+  ui.probe.rectangle(std::string("stale/") + title, {at.x - radius, at.y - radius},
+                     {at.x + radius, at.y + radius});
+  tooltip(ui, std::string("section/") + title, "", stale);
+  return open;
+}
+
+void splitter(const Ui& ui, const char* label, ImVec2 position, float height, float& width,
+              bool right, float least, float most) {
+  const float grip = ui.px(6);
+  ImGui::SetNextWindowPos({position.x - grip / 2, position.y});
+  ImGui::SetNextWindowSize({grip, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::Begin(label, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
+                   ImGuiWindowFlags_NoNav);
+  ImGui::InvisibleButton("grip", {grip, height});
+  ui.probe.item(label);
+  const bool active = ImGui::IsItemActive();
+  if (active || ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    ImGui::GetWindowDrawList()->AddRectFilled({position.x - 1, position.y},
+                                              {position.x + 1, position.y + height},
+                                              ui.theme.palette.accent);
+  }
+  if (active) width += right ? -ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.x;
+  width = std::clamp(width, least, std::max(least, most));
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+void fittedText(const Ui& ui, const std::string& text, float width, ImU32 color) {
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  at.y += GImGui->CurrentWindow->DC.CurrLineTextBaseOffset;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  ImGui::Dummy({std::min(size.x, width), size.y});
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), at, {at.x + width, at.y + size.y},
+                            at.x + width, at.x + width, text.c_str(), nullptr, &size);
+  ImGui::PopStyleColor();
+  if (size.x <= width) return;
+  ui.probe.item("cut/" + text);
+  tooltip(ui, text, "", text);
+}
+
+std::string grouped(std::size_t number) {
+  std::string digits = std::to_string(number), text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += "\u00a0";
+    text += digits[i];
+  }
+  return text;
+}
+
+}  // namespace chartflood

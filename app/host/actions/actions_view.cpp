@@ -1,0 +1,282 @@
+// Actions of the eye: colours, overlays, camera, panels.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "app/host/actions/actions.h"
+#include "app/host/actions/switch_action.h"
+#include "app/host/script/action_registry.h"
+#include "app/host/state/app_state.h"
+#include "core/base/error.h"
+
+namespace chartflood {
+
+namespace {
+
+std::vector<std::string> modeIds() {
+  std::vector<std::string> ids;
+  for (ColorMode mode : availableColorModes()) ids.emplace_back(colorModeInfo(mode).id);
+  return ids;
+}
+
+void addOverlays(ActionRegistry& registry) {
+  auto overlay = [&](const char* id, const char* title, const char* help, const char* key,
+                     bool RenderSettings::*member) {
+    addSwitch(
+        registry, id, title, help,
+        key, [member](auto& state) -> auto& { return state.view.render.*member; });
+  };
+  overlay("seams", "Seams", "Lines between charts.", "S", &RenderSettings::seams);
+  overlay("cuts", "Cuts", "Lines along which charts are opened so that they can lie flat.", "C",
+          &RenderSettings::cuts);
+  overlay("edges", "Mesh edges", "The edges of all triangles.", "E", &RenderSettings::edges);
+  overlay("sharp-edges", "Sharp edges", "Edges folded more than the sharp edge angle.", "K",
+          &RenderSettings::sharpEdges);
+  overlay("seeds", "Seeds", "A ball where each chart begins.", "M", &RenderSettings::seedMarks);
+  overlay("numbers", "Chart numbers", "The number of each chart on the model.", "N",
+          &RenderSettings::numbers);
+  overlay("color-bar", "Colour bar", "What the colours mean.", "B", &RenderSettings::scalarBar);
+  overlay("smooth", "Smooth shading", "Hides the facets of smooth parts.", "",
+          &RenderSettings::smoothNormals);
+}
+
+void nextCheckerKind(AppState& state) {
+  CheckerKind& kind = state.view.render.checkerKind;
+  const int kinds = state.view.render.checkerPicture ? 4 : 3;
+  kind = static_cast<CheckerKind>((static_cast<int>(kind) + 1) % kinds);
+}
+
+void addColors(ActionRegistry& registry) {
+  registry.add({.id = "color-mode",
+                .title = "Colour",
+                .help = "Chooses what the colours of the model say.",
+                .arguments = {{"mode", ArgumentType::Choice, "which one", true, modeIds()}},
+                .refusal = {},
+                .run =
+                    [](AppState& state, const Arguments& a) {
+                      showColorMode(state.view, findColorMode(a.text("mode"))->mode);
+                    },
+                .checked =
+                    [](const AppState& state, const Arguments& a) {
+                      return colorModeInfo(state.view.render.colorMode).id == a.text("mode");
+                    }});
+  registry.bind("1", "color-mode shaded");
+  registry.bind("2", "color-mode charts");
+  registry.bind("3", "color-mode gauss");
+  registry.bind("4", "color-mode balance");
+  registry.bind("5", "color-mode flood-time");
+  registry.bind("6", "color-mode stretch");
+  registry.bind("7", "color-mode area-distortion");
+  registry.bind("8", "color-mode angle-distortion");
+  registry.bind("9", "color-mode checkerboard");
+  registry.add({.id = "next-sub-mode",
+                .title = "Next of its kind",
+                .help = "Goes round the modes of one kind: Gauss area of all, corners, edges, "
+                        "triangles; flood time, order; squares, numbers, circles.",
+                .arguments = {},
+                .refusal = [](const AppState& state) -> std::string {
+                  const ColorMode mode = state.view.render.colorMode;
+                  const bool single = colorModeFamily(mode).size() < 2;
+                  return single && mode != ColorMode::Checkerboard
+                             ? "This colour mode has no others of its kind."
+                             : "";
+                },
+                .run =
+                    [](AppState& state, const Arguments&) {
+                      const ColorMode mode = state.view.render.colorMode;
+                      if (mode == ColorMode::Checkerboard) return nextCheckerKind(state);
+                      const auto family = colorModeFamily(mode);
+                      const auto at = std::find(family.begin(), family.end(), mode) + 1;
+                      showColorMode(state.view, at == family.end() ? family.front() : *at);
+                    }});
+  registry.bind("Q", "next-sub-mode");
+}
+
+void addCamera(ActionRegistry& registry) {
+  registry.add({.id = "frame-all",
+                .title = "Frame all",
+                .help = "Shows the whole model; with the mouse on the texture, the whole texture.",
+                .arguments = {},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments&) {
+                  if (state.panels.uvUnderMouse)
+                    state.view.uvCamera = {};
+                  else
+                    state.view.frameWhenLoaded = true;
+                }});
+  registry.bind("A", "frame-all");
+  registry.add({.id = "view",
+                .title = "Standard view",
+                .help = "Looks along an axis of the model.",
+                .arguments = {{"from",
+                               ArgumentType::Choice,
+                               "which side",
+                               true,
+                               {"front", "back", "left", "right", "top", "bottom", "oblique"}}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  state.view.camera.look(standardViewFromId(a.text("from")));
+                }});
+  const char* const kViews[][2] = {{"Kp1", "front"}, {"Ctrl+Kp1", "back"},
+                                   {"Kp3", "right"}, {"Ctrl+Kp3", "left"},
+                                   {"Kp7", "top"},   {"Ctrl+Kp7", "bottom"}};
+  for (const auto& [key, view] : kViews) registry.bind(key, std::string("view ") + view);
+  addSwitch(
+      registry, "orthographic", "Orthographic", "Parallel lines stay parallel.", "Kp5",
+      [](auto& state) -> auto& { return state.view.camera.orthographic; });
+  registry.bind("O", "orthographic");
+  registry.add({.id = "up-axis",
+                .title = "Upright axis",
+                .help = "Chooses the model's axis that stands upright.",
+                .arguments = {{"axis", ArgumentType::Choice, "which one", true, {"y", "z"}}},
+                .refusal = {},
+                .run =
+                    [](AppState& state, const Arguments& a) {
+                      state.view.camera.up = a.text("axis") == "z" ? UpAxis::Z : UpAxis::Y;
+                      state.view.camera.look(StandardView::Oblique);
+                    },
+                .checked =
+                    [](const AppState& state, const Arguments& a) {
+                      return (state.view.camera.up == UpAxis::Z) == (a.text("axis") == "z");
+                    }});
+  registry.add(
+      {.id = "navigation",
+       .title = "Mouse like",
+       .help = "Chooses which mouse buttons turn, move and zoom.",
+       .arguments =
+           {{"style", ArgumentType::Choice, "which one", true, {"simple", "blender", "maya"}}},
+       .refusal = {},
+       .run =
+           [](AppState& state, const Arguments& a) {
+             state.preferences.navigation = navigationStyleFromId(a.text("style"));
+           },
+       .checked =
+           [](const AppState& state, const Arguments& a) {
+             return navigationStyleId(state.preferences.navigation) == a.text("style");
+           }});
+}
+
+void setUiScale(AppState& state, const std::string& text) {
+  if (text == "auto") {
+    state.preferences.uiScale = 0;
+    return;
+  }
+  char* end = nullptr;
+  const double percent = std::strtod(text.c_str(), &end);
+  if (*end != '\0' || !(percent >= 75 && percent <= 250)) {
+    throw UsageError("The size of the interface '" + text +
+                     "' must be auto or 75 to 250 per cent.");
+  }
+  state.preferences.uiScale = percent / 100;
+}
+
+void addPanels(ActionRegistry& registry) {
+  auto panel = [&](const char* id, const char* title, const char* help, const char* key,
+                   bool PanelState::*member) {
+    addSwitch(
+        registry, id, title, help,
+        key, [member](auto& state) -> auto& { return state.panels.*member; });
+  };
+  panel("right-pane", "Texture, charts, plots", "Shows or hides the right pane.", "U",
+        &PanelState::right);
+  panel("left-pane", "Parameters", "Shows or hides the left pane.", "", &PanelState::left);
+  panel("keys", "Keys", "Lists all keys.", "H", &PanelState::keys);
+  registry.bind("F1", "keys");
+  panel("log", "Log", "All messages since the start.", "", &PanelState::log);
+  panel("about", "About", "Version, method and fonts.", "", &PanelState::about);
+  panel("first-steps", "First steps", "The four keys to begin with.", "", &PanelState::firstCard);
+  registry.add({.id = "close-browser",
+                .title = "Cancel",
+                .help = "Closes the file browser.",
+                .arguments = {},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments&) {
+                  state.panels.browse = PanelState::Browse::Nothing;
+                  state.giveUp();  // saving it first was the answer to a question
+                }});
+  registry.add(
+      {.id = "hide-panels",
+       .title = "Hide panels",
+       .help = "The model alone; once more brings the panels back.",
+       .arguments = {},
+       .refusal = {},
+       .run =
+           [](AppState& state, const Arguments&) {
+             PanelState& p = state.panels;
+             const bool show = !(p.left || p.bottom);
+             p.left = p.bottom = show;
+             p.right = show && p.rightWanted;
+           },
+       .checked = [](const AppState& state,
+                     const Arguments&) { return !(state.panels.left || state.panels.bottom); }});
+  registry.bind("F10", "hide-panels");
+  registry.add(
+      {.id = "full-screen",
+       .title = "Full screen",
+       .help = "Takes the whole screen; once more goes back.",
+       .arguments = {},
+       .refusal = {},
+       .run = [](AppState& state, const Arguments&) { state.requests.toggleFullScreen = true; }});
+  registry.bind("F11", "full-screen");
+  registry.add(
+      {.id = "right-tab",
+       .title = "Tab of the right pane",
+       .help = "Brings a tab of the right pane to the front.",
+       .arguments =
+           {{"tab", ArgumentType::Choice, "which one", true, {"uv", "charts", "sphere", "plots"}}},
+       .refusal = {},
+       .run = [](AppState& state, const Arguments& a) {
+         using Tab = PanelState::RightTab;
+         const std::string tab = a.text("tab");
+         state.panels.right = true;
+         state.panels.rightTab = tab == "charts"   ? Tab::Charts
+                                 : tab == "sphere" ? Tab::Sphere
+                                 : tab == "plots"  ? Tab::Plots
+                                                   : Tab::Uv;
+         state.panels.selectRightTab = true;
+       }});
+  registry.add(
+      {.id = "ui-scale",
+       .title = "Size of the interface",
+       .help = "Sets the size of text and controls.",
+       .arguments = {{"percent", ArgumentType::Text, "auto or 75 to 250"}},
+       .refusal = {},
+       .run = [](AppState& state, const Arguments& a) { setUiScale(state, a.text("percent")); },
+       .checked =
+           [](const AppState& state, const Arguments& a) {
+             const long percent = std::lround(100 * state.preferences.uiScale);
+             return a.text("percent") == (percent == 0 ? "auto" : std::to_string(percent));
+           }});
+  registry.add(
+      {.id = "live",
+       .title = "Live",
+       .help = "Whether dragging a slider floods at once. Auto: when a flood is quick.",
+       .arguments = {{"when", ArgumentType::Choice, "when", true, {"auto", "on", "off"}}},
+       .refusal = {},
+       .run = [](AppState& state,
+                 const Arguments& a) { state.preferences.live = liveModeFromId(a.text("when")); },
+       .checked =
+           [](const AppState& state, const Arguments& a) {
+             return liveModeId(state.preferences.live) == a.text("when");
+           }});
+  registry.add({.id = "close-toast",
+                .title = "Close",
+                .help = "Takes a message off the view; it stays in the log.",
+                .arguments = {{"number", ArgumentType::Integer, "from the top, from 0"}},
+                .refusal = {},
+                .run = [](AppState& state, const Arguments& a) {
+                  state.notices.close(static_cast<std::size_t>(std::max(0L, a.integer("number"))));
+                }});
+}
+
+}  // namespace
+
+void addViewActions(ActionRegistry& registry) {
+  addColors(registry);
+  addOverlays(registry);
+  addCamera(registry);
+  addPanels(registry);
+}
+
+}  // namespace chartflood

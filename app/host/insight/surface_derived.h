@@ -1,0 +1,23 @@
+#pragma once
+/// What drawing and plotting need of the surface beside the results.
+
+#include <memory>
+
+#include "core/model/corner_normals.h"
+#include "core/model/gauss_area.h"
+#include "core/model/mesh.h"
+#include "render/passes/gauss_layer.h"
+#include "render/passes/surface_vertices.h"
+
+namespace chartflood {
+
+/// Depends on the mesh and the sharp edge angle alone.
+struct SurfaceDerived {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const GaussArea> gaussArea;
+  CornerNormals normals;
+  std::shared_ptr<const SurfaceVertices> vertices;
+  GaussValues gaussValues;
+};
+
+}  // namespace chartflood

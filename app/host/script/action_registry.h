@@ -1,0 +1,55 @@
+#pragma once
+/// All actions and the keys that start them.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/host/script/action.h"
+#include "app/host/script/chord.h"
+
+namespace chartflood {
+
+/// A key and the script line it runs.
+struct Binding {
+  Chord chord;
+  std::string line;
+  bool seedsTool = false;  ///< acts while that tool is chosen, before any other of the same key
+};
+
+class ActionRegistry {
+ public:
+  /// Ids must be unique.
+  void add(Action action);
+  /// Binds a key; the line's action must have been added and the key be free.
+  void bind(std::string_view chord, std::string_view line);
+  /// The same for the seeds tool alone; elsewhere the key may mean something else.
+  void bindInSeedsTool(std::string_view chord, std::string_view line);
+
+  std::span<const Action> actions() const { return actions_; }
+  std::span<const Binding> bindings() const { return bindings_; }
+  const Action* find(std::string_view id) const;
+  /// The binding of a key, or nullptr.
+  const Binding* findBinding(const Chord& chord, bool seedsTool = false) const;
+  /// "Ctrl+Z" for the first key bound to this very line, "" if none is.
+  std::string shortcut(std::string_view line) const;
+
+  /// Why the line's action cannot run now; "" when it can.
+  std::string refusal(std::string_view line, const AppState& state) const;
+  /// Whether the line's action shows as on.
+  bool checked(std::string_view line, const AppState& state) const;
+  /// Runs one line; an empty one does nothing.
+  /// \throws UsageError for an unknown action or wrong arguments, Error when it cannot run now or
+  /// fails.
+  void run(std::string_view line, AppState& state) const;
+
+ private:
+  const Action& at(std::string_view id) const;
+  void addBinding(std::string_view chord, std::string_view line, bool seedsTool);
+
+  std::vector<Action> actions_;
+  std::vector<Binding> bindings_;
+};
+
+}  // namespace chartflood

@@ -1,0 +1,16 @@
+#include "core/session/pipeline/compared_methods.h"
+
+namespace chartflood {
+
+Parameters comparedWith(Parameters parameters, const std::string& method) {
+  parameters.method = method;
+  return parameters;
+}
+
+Parameters asLeft(Parameters parameters, const std::string& method) {
+  parameters.method = method;
+  if (method != "t-flooding") parameters.refine = "none";
+  return parameters;
+}
+
+}  // namespace chartflood

@@ -1,0 +1,108 @@
+// Rows of the parameter table: the methods and what is their own.
+
+#include "core/session/settings/parameter_table.h"
+
+namespace chartflood {
+
+std::vector<ParameterInfo> methodRows() {
+  return {
+      {.id = "method",
+       .label = "Method",
+       .symbol = "",
+       .member = &Parameters::method,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help = "How the pieces are found.",
+       .source = "3",
+       .choices = {{"t-flooding", "T-flooding"},
+                   {"vsa", "Variational shape approximation"},
+                   {"mcgim", "Multi-chart geometry images"}}},
+      {.id = "vsa-seeding",
+       .label = "Coming to pieces",
+       .symbol = "",
+       .member = &Parameters::vsaSeeding,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help =
+           "One by one: a new piece where the planes fit worst. Doubling: one in every piece at "
+           "once. Random: all at once anywhere.",
+       .source = "",
+       .choices = {{"one-by-one", "One by one"}, {"doubling", "Doubling"}, {"random", "Random"}},
+       .method = "vsa"},
+      {.id = "vsa-teleport",
+       .label = "Move stuck pieces",
+       .symbol = "",
+       .member = &Parameters::vsaTeleport,
+       .stage = Stage::Iterations,
+       .group = "Method",
+       .help = "Joins two pieces that hardly differ and spends the freed one where the planes fit "
+               "worst.",
+       .source = "4",
+       .method = "vsa"},
+      {.id = "mcgim-lambda",
+       .label = "Roundness",
+       .symbol = "\u03bb",
+       .member = &Parameters::mcgimLambda,
+       .sliderMin = 1,
+       .sliderMax = 10,
+       .hardMin = 0.1,
+       .hardMax = 1000,
+       .scale = SliderScale::Log,
+       .format = "%.2f",
+       .stage = Stage::Flood,
+       .group = "Method",
+       .help = "Low: pieces keep to flat ground and end at folds. High: round pieces, wherever the "
+               "folds are.",
+       .source = "",
+       .method = "mcgim"},
+      {.id = "mcgim-normals",
+       .label = "Facing of a piece",
+       .symbol = "",
+       .member = &Parameters::mcgimNormals,
+       .stage = Stage::Flood,
+       .group = "Method",
+       .help = "Frozen: which way a piece faces is that of the round before. Running: it follows "
+               "the piece as it grows.",
+       .source = "",
+       .choices = {{"frozen", "Frozen"}, {"running", "Running"}},
+       .method = "mcgim"},
+      {.id = "mcgim-disks",
+       .label = "Grow as disks",
+       .symbol = "",
+       .member = &Parameters::mcgimDisks,
+       .stage = Stage::Flood,
+       .group = "Method",
+       .help =
+           "Pieces refuse what would make them rings or give them holes, while there is anything "
+           "else to take.",
+       .source = "",
+       .method = "mcgim"},
+      {.id = "search",
+       .label = "Search",
+       .symbol = "",
+       .member = &Parameters::search,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help = "Literal: the paper's rounds on the whole mesh. Fast: rounds on a coarse view of "
+               "it, then "
+               "a few around the seams, for big meshes. Auto: fast above 300,000 faces.",
+       .source = "3.4",
+       .choices = {{"auto", "Auto"}, {"literal", "Literal"}, {"fast", "Fast"}},
+       .method = "t-flooding"},
+      {.id = "start",
+       .label = "Start",
+       .symbol = "",
+       .member = &Parameters::start,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help =
+           "Flood: seeds far apart, as in the paper. Creases: the parts between sharp edges, for "
+           "machine parts. Auto: creases where these divide the model or ring a turned body, and "
+           "planes where it is made of few.",
+       .source = "3.4",
+       .choices = {{"auto", "Auto"}, {"flood", "Flood"}, {"creases", "Creases"}},
+       .method = "t-flooding"},
+  };
+}
+
+}  // namespace chartflood
