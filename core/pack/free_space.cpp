@@ -46,21 +46,23 @@ std::vector<PackShape::Point> spreadPoints(const PackShape& shape) {
 struct FreeSpace::Stamp {
   int offsets[kMostPoints];
   std::size_t count = 0;
-  int deepest = 0;
+  int deepest = 0, deepestI = 0, deepestJ = 0;
   int left = 0, right = 0, bottom = 0, top = 0;
 
   Stamp(const PackShape& shape, std::span<const PackShape::Point> points, double angle, double cell,
         int stride) {
     const float c = static_cast<float>(std::cos(angle) / cell);
     const float s = static_cast<float>(std::sin(angle) / cell);
+    int i = 0, j = 0;
     const auto offsetOf = [&](const PackShape::Point& p) {
-      const int i = static_cast<int>(std::floor(c * p.x - s * p.y + 0.5f));
-      const int j = static_cast<int>(std::floor(s * p.x + c * p.y + 0.5f));
+      i = static_cast<int>(std::floor(c * p.x - s * p.y + 0.5f));
+      j = static_cast<int>(std::floor(s * p.x + c * p.y + 0.5f));
       left = std::min(left, i), right = std::max(right, i);
       bottom = std::min(bottom, j), top = std::max(top, j);
       return j * stride + i;
     };
     deepest = offsetOf(shape.deepest);
+    deepestI = i, deepestJ = j;
     for (const PackShape::Point& p : points) offsets[count++] = offsetOf(p);
   }
 };
@@ -82,6 +84,10 @@ FreeSpace::FreeSpace(double side, double gap, double border, double cell)
     for (const short column : byCells) *room++ = std::min(row, column);
   }
   for (std::size_t at = 0; at < room_.size(); at += kShortLanes) findCosts(at);
+  const std::size_t blocks = static_cast<std::size_t>(stride_ / kLanes);
+  spans_.resize(blocks * blocks);
+  open_.resize(blocks);
+  findSpans(0, stride_, 0, stride_);
 }
 
 Footprint FreeSpace::footprint(const PackShape& shape, const Pose& pose) const {
@@ -141,6 +147,27 @@ void FreeSpace::add(const Footprint& print) {
       findCosts(at);
     }
   }
+  findSpans(print.left, print.left + print.width, print.bottom, print.bottom + print.height);
+}
+
+void FreeSpace::findSpans(int left, int right, int bottom, int top) {
+  for (int row = bottom / kLanes * kLanes; row < top; row += kLanes) {
+    for (int column = left; column < right; column += kLanes) {
+      const short* cells = &room_[static_cast<std::size_t>(row * stride_ + column)];
+      ShortLanes least = loadLanes<ShortLanes>(cells), most = least;
+      for (int j = 1; j < kLanes; ++j) {
+        const ShortLanes room = loadLanes<ShortLanes>(cells + j * stride_);
+        least = smaller(least, room), most = larger(most, room);
+      }
+      Span span{least[0], most[0]};
+      for (int lane = 1; lane < kLanes; ++lane) {
+        span.least = std::min<short>(span.least, least[lane]);
+        span.most = std::max<short>(span.most, most[lane]);
+      }
+      spans_[static_cast<std::size_t>((row / kLanes) * (stride_ / kLanes) + column / kLanes)] =
+          span;
+    }
+  }
 }
 
 void FreeSpace::findCosts(std::size_t at) {
@@ -165,7 +192,7 @@ ShortLanes FreeSpace::costOf(const Stamp& stamp, const short* costs, short best)
   return cost;
 }
 
-Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) const {
+Pose FreeSpace::bestPose(const PackShape& shape, double firstAngle, int turns) {
   const std::vector<PackShape::Point> points = spreadPoints(shape);
   // Where the deepest point does not fit, by far, nothing else needs a look; nor where so much is
   // free around it that the shape lies snug to nothing.
@@ -203,25 +230,44 @@ bool FreeSpace::fits(const PackShape& shape, const Pose& pose) const {
   return true;
 }
 
-void FreeSpace::lookAt(const Stamp& stamp, double angle, const Room& room, Best& best) const {
+void FreeSpace::lookAt(const Stamp& stamp, double angle, const Room& room, Best& best) {
   constexpr int kSlack = 2, kFirst = kFrame - kSlack;
   const int last = kFrame + cells_ + kSlack;
-  for (int j = kFirst - stamp.bottom; j <= last - stamp.top; ++j) {
-    const int end = last - stamp.right;
-    for (int i = kFirst - stamp.left; i <= end; i += kLanes) {
-      const int at = j * stride_ + i;
-      const ShortLanes around =
-          loadLanes<ShortLanes>(&room_[static_cast<std::size_t>(at + stamp.deepest)]);
-      const ShortLanes fits = (around >= room.least) & (around <= room.most);
-      if (!anyOf(fits)) continue;
-      const ShortLanes cost = costOf(stamp, &cost_[static_cast<std::size_t>(at)], best.cost);
-      if (!anyOf((cost < best.cost) & fits)) continue;
-      for (int lane = 0; lane < std::min(kLanes, end + 1 - i); ++lane) {
-        if (fits[lane] == 0 || cost[lane] >= best.cost) continue;
-        best.cost = cost[lane];
-        best.pose = {(i + lane - kFrame + 0.5) * cell_ - side_ / 2,
-                     (j - kFrame + 0.5) * cell_ - side_ / 2, angle};
-      }
+  const Places places{kFirst - stamp.left + stamp.deepestI, last - stamp.right + stamp.deepestI,
+                      kFirst - stamp.bottom + stamp.deepestJ, last - stamp.top + stamp.deepestJ};
+  if (places.left > places.right) return;
+  for (int row = places.bottom / kLanes; row * kLanes <= places.top; ++row) {
+    // Most of a square that fills up is no place for the deepest point: whole blocks are left out.
+    open_.clear();
+    for (int column = places.left / kLanes; column * kLanes <= places.right; ++column) {
+      const Span& span = spans_[static_cast<std::size_t>(row * (stride_ / kLanes) + column)];
+      if (span.most >= room.least && span.least <= room.most) open_.push_back(column * kLanes);
+    }
+    if (open_.empty()) continue;
+    const int end = std::min(row * kLanes + kLanes - 1, places.top);
+    for (int j = std::max(row * kLanes, places.bottom); j <= end; ++j) {
+      lookAtRow(stamp, j, places, angle, room, best);
+    }
+  }
+}
+
+/// \param j row of the deepest point
+void FreeSpace::lookAtRow(const Stamp& stamp, int j, const Places& places, double angle,
+                          const Room& room, Best& best) {
+  looks_ += open_.size();
+  for (const int i : open_) {
+    const int deepest = j * stride_ + i, at = deepest - stamp.deepest;
+    const ShortLanes around = loadLanes<ShortLanes>(&room_[static_cast<std::size_t>(deepest)]);
+    const ShortLanes fits = (around >= room.least) & (around <= room.most);
+    if (!anyOf(fits)) continue;
+    const ShortLanes cost = costOf(stamp, &cost_[static_cast<std::size_t>(at)], best.cost);
+    if (!anyOf((cost < best.cost) & fits)) continue;
+    const int begin = std::max(0, places.left - i), end = std::min(kLanes, places.right + 1 - i);
+    for (int lane = begin; lane < end; ++lane) {
+      if (fits[lane] == 0 || cost[lane] >= best.cost) continue;
+      best.cost = cost[lane];
+      best.pose = {(i + lane - stamp.deepestI - kFrame + 0.5) * cell_ - side_ / 2,
+                   (j - stamp.deepestJ - kFrame + 0.5) * cell_ - side_ / 2, angle};
     }
   }
 }

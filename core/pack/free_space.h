@@ -29,7 +29,10 @@ class FreeSpace {
 
   /// The place where the shape lies closest to what is there and overlaps it least, over all cells
   /// and `turns` turns from `firstAngle` on.
-  Pose bestPose(const PackShape& shape, double firstAngle, int turns) const;
+  Pose bestPose(const PackShape& shape, double firstAngle, int turns);
+
+  /// How many times eight places side by side were looked at so far, all turns counted.
+  std::size_t looks() const { return looks_; }
 
   /// Whether the shape keeps the gap there from all that was added.
   bool fits(const PackShape& shape, const Pose& pose) const;
@@ -46,10 +49,21 @@ class FreeSpace {
     Pose pose;
     short cost = 32767;
   };
+  /// The least and the most room in a block of cells.
+  struct Span {
+    short least, most;
+  };
+  /// Places of a shape at one turn, as the cells that its deepest point may lie in.
+  struct Places {
+    int left, right, bottom, top;
+  };
 
   void findCosts(std::size_t at);  ///< of eight cells
+  void findSpans(int left, int right, int bottom, int top);  ///< of the blocks of these cells
   static ShortLanes costOf(const Stamp& stamp, const short* costs, short best);
-  void lookAt(const Stamp& stamp, double angle, const Room& room, Best& best) const;
+  void lookAt(const Stamp& stamp, double angle, const Room& room, Best& best);
+  void lookAtRow(const Stamp& stamp, int j, const Places& places, double angle, const Room& room,
+                 Best& best);
 
   int cells_;   ///< a side of the square
   int stride_;  ///< whole lanes
@@ -57,6 +71,9 @@ class FreeSpace {
   short need_;
   std::vector<short> room_;  ///< the distance, in small parts of a layout unit
   std::vector<short> cost_;  ///< of having a point of a shape there
+  std::vector<Span> spans_;  ///< of blocks of lanes by as many rows
+  std::vector<int> open_;    ///< blocks of a row that the deepest point of a shape may lie in
+  std::size_t looks_ = 0;
 };
 
 }  // namespace chartflood
