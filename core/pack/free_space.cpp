@@ -19,6 +19,9 @@ constexpr short kMostOverlap = 348, kSnugReach = 655;
 /// Most points of a shape that are looked at; their costs add up to what a short holds.
 constexpr std::size_t kMostPoints = 47;
 static_assert(kMostPoints * kOverlapCost * kMostOverlap < 32767);
+/// Where overlap is barred, one point of it costs more than all others far from everything.
+constexpr short kPerBarredSnug = 64;
+static_assert(kMostPoints * kSnugReach / kPerBarredSnug < kOverlapCost * kMostOverlap);
 
 constexpr int kLanes = static_cast<int>(kShortLanes);
 constexpr int kMostCells = 1024;
@@ -67,9 +70,10 @@ struct FreeSpace::Stamp {
   }
 };
 
-FreeSpace::FreeSpace(double side, double gap, double border, double cell)
+FreeSpace::FreeSpace(double side, double gap, double border, double cell, Overlap overlap)
     : cells_(std::clamp(static_cast<int>(side / cell) / kLanes * kLanes, kLanes, kMostCells)),
-      stride_(cells_ + 2 * kFrame), side_(side), cell_(side / cells_), need_(roomOf(gap * 1.27)) {
+      stride_(cells_ + 2 * kFrame), side_(side), cell_(side / cells_), need_(roomOf(gap * 1.27)),
+      leastOverlap_(overlap == Overlap::Barred ? kMostOverlap : 0) {
   const std::size_t count = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(stride_);
   room_.resize(count + kShortLanes);  // all lanes are read at once: the last ones, and beyond
   cost_.resize(count + kShortLanes);
@@ -175,8 +179,11 @@ void FreeSpace::findCosts(std::size_t at) {
   // Far inside shapes, a distance less the gap may be less than what a short holds.
   const ShortLanes room = larger(loadLanes<ShortLanes>(&room_[at]), ShortLanes{} - short{16384});
   const ShortLanes free = room - need_;
+  const ShortLanes snug =
+      leastOverlap_ == 0 ? smaller(free, reach) / kPerSnugCost : smaller(free, reach) / kPerBarredSnug;
   const ShortLanes cost =
-      free < 0 ? kOverlapCost * smaller(-free, mostOverlap) : smaller(free, reach) / kPerSnugCost;
+      free < 0 ? kOverlapCost * larger(smaller(-free, mostOverlap), ShortLanes{} + leastOverlap_)
+               : snug;
   std::memcpy(&cost_[at], &cost, sizeof cost);
 }
 

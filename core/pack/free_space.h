@@ -19,9 +19,12 @@ struct Footprint {
 /// Distance to the nearest placed shape or side of the square, on a grid of cells.
 class FreeSpace {
  public:
+  /// Whether a shape may lie in others a little when it lies closer to them so, as for squeezing,
+  /// or only where it fits.
+  enum class Overlap { Dear, Barred };
   /// All in layout units. \param gap distance to keep between shapes, \param border to the sides,
   /// \param cell about what the cells' sides shall be
-  FreeSpace(double side, double gap, double border, double cell);
+  FreeSpace(double side, double gap, double border, double cell, Overlap overlap = Overlap::Dear);
 
   /// To be used again in all squares of the same size.
   Footprint footprint(const PackShape& shape, const Pose& pose) const;
@@ -68,7 +71,7 @@ class FreeSpace {
   int cells_;   ///< a side of the square
   int stride_;  ///< whole lanes
   double side_, cell_;
-  short need_;
+  short need_, leastOverlap_;
   std::vector<short> room_;  ///< the distance, in small parts of a layout unit
   std::vector<short> cost_;  ///< of having a point of a shape there
   std::vector<Span> spans_;  ///< of blocks of lanes by as many rows

@@ -2,25 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "core/base/parallel.h"
-#include "core/pack/free_space.h"
-#include "core/pack/gap_check.h"
 #include "core/pack/grid_layout.h"
 #include "core/pack/pack_search.h"
 #include "core/pack/pack_shape.h"
+#include "core/pack/parting.h"
 #include "core/pack/shelf_layout.h"
 
 namespace chartflood {
 
 namespace {
-
-/// Share of the largest scale that a layout of upright charts may have and still be taken.
-constexpr double kUprightWorth = 0.997;
 
 /// Sizes that do not change with the charts' own units.
 struct Sizes {
@@ -60,106 +55,30 @@ std::vector<PackShape> makeShapes(std::span<const ChartOutline> outlines, const 
   return shapes;
 }
 
-/// A layout with finer shapes, pressed once more, and then parted exactly.
-struct Fitted {
-  double scale = 0;
-  std::vector<PlacedOutline> charts;
-};
-
-/// Charts stuck in bays of others are put into any free places that they fit.
-/// \return whether all found one
-bool replaceStuck(Fitted& fitted, std::span<const PackShape> shapes, const Settled& settled,
-                  double layoutScale, const PackGaps& gaps) {
-  constexpr double kCells = 1000;
-  constexpr int kTurns = 16;
-  const double side = layoutScale / settled.scale;
-  FreeSpace space(side, gaps.between * side, gaps.border * side, side / kCells);
-  const auto poseOf = [&](std::size_t i) {
-    const Pose& pose = fitted.charts[i].pose;
-    return Pose{(pose.x - 0.5) * side, (pose.y - 0.5) * side, pose.angle};
-  };
-  // Those that find no other place stay, so that theirs is not free either.
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    space.add(space.footprint(shapes[i], poseOf(i)));
-  }
-  std::vector<std::size_t> stuck = settled.stuck;
-  std::stable_sort(stuck.begin(), stuck.end(),
-                   [&](std::size_t a, std::size_t b) { return shapes[a].area > shapes[b].area; });
-  bool all = true;
-  for (const std::size_t i : stuck) {
-    const Pose found = space.bestPose(shapes[i], fitted.charts[i].pose.angle, kTurns);
-    const bool fits = space.fits(shapes[i], found);
-    all = all && fits;
-    if (!fits) continue;
-    fitted.charts[i].pose = {found.x / side + 0.5, found.y / side + 0.5, found.angle};
-    space.add(space.footprint(shapes[i], found));
-  }
-  return all;
-}
-
-/// Parts the charts, by putting those that stay stuck elsewhere or, at last, by much more room.
-void settleSomehow(Fitted& fitted, std::span<const PackShape> shapes, double layoutScale,
-                   double side, const PackGaps& gaps, const Progress& progress) {
-  constexpr int kSteps = 60, kReplacings = 8;
-  constexpr double kSmaller = 0.995;
-  const std::vector<PlacedOutline> before = fitted.charts;
-  double scale = 1.002 * layoutScale / side;
-  for (int i = 0; i <= kReplacings && !progress.cancelled(); ++i) {
-    const Settled settled =
-        settle(fitted.charts, gaps, scale, i < kReplacings ? kSteps : 2 * kSteps, progress);
-    fitted.scale = settled.apart ? settled.scale : 0;
-    if (settled.apart) return;
-    const bool replaced = replaceStuck(fitted, shapes, settled, layoutScale, gaps);
-    scale = settled.scale * (replaced ? 1 : kSmaller);
-  }
-  for (const double room : {0.97, 0.9, 0.75, 0.5}) {
-    fitted.charts = before;
-    const Settled settled =
-        settle(fitted.charts, gaps, room * layoutScale / side, 2 * kSteps, progress);
-    fitted.scale = settled.apart ? settled.scale : 0;
-    if (settled.apart || progress.cancelled()) return;
-  }
-}
-
-/// Boxes that lie nearly upright are turned to lie so exactly, unless that costs much.
-void makeUpright(Fitted& fitted, std::span<const PackShape> shapes, const PackGaps& gaps,
-                 const Progress& progress) {
-  constexpr double kQuarter = std::numbers::pi / 2, kNearly = 0.1;
-  Fitted upright = fitted;
-  bool turned = false;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    double& angle = upright.charts[i].pose.angle;
-    const double off = std::remainder(angle - shapes[i].upright, kQuarter);
-    if (!shapes[i].boxy || std::abs(off) > kNearly) continue;
-    angle -= off;
-    turned = true;
-  }
-  if (!turned) return;
-  const Settled settled = settle(upright.charts, gaps, fitted.scale, 60, progress);
-  upright.scale = settled.scale;
-  if (settled.apart && settled.scale >= kUprightWorth * fitted.scale) fitted = std::move(upright);
-}
-
+/// Presses a layout once more, with finer shapes, and parts it exactly. The layout is of the first
+/// shapes; the others, crumbs, are put into free places.
 Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> shapes,
            double layoutScale, PackLayout layout, const PackGaps& gaps, const Progress& progress) {
+  const std::size_t pressed = layout.poses.size();
   // Pressed with a gap even where none is asked for, see below.
-  Squeezer squeezer(shapes, {std::max(gaps.between, 0.001), gaps.border});
+  Squeezer squeezer(shapes.first(pressed), {std::max(gaps.between, 0.001), gaps.border});
   // No more than the fields of fine shapes reach beyond the gap.
   constexpr double kSkin = 0.003;
-  constexpr int steps = 80;
+  const int steps = pressed > kManyCharts ? 40 : 80;
   for (const double depth : {0.5, 0.1, 0.02, 0.004}) {
     squeezer.rest();
     squeezer.run(layout, {pressureFor(depth, layout.side), steps, kSkin}, progress);
   }
-  Fitted fitted;
+  Fitted fitted{1.002 * layoutScale / layout.side, {}};
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    const Pose& pose = layout.poses[i];
+    const Pose pose = i < pressed ? layout.poses[i] : Pose{};
     fitted.charts.push_back({&outlines[i],
                              shapes[i].center,
                              {pose.x / layout.side + 0.5, pose.y / layout.side + 0.5, pose.angle}});
   }
-  settleSomehow(fitted, shapes, layoutScale, layout.side, gaps, progress);
-  makeUpright(fitted, shapes, gaps, progress);
+  const Parting parting(shapes, layoutScale, gaps, progress);
+  parting.part(fitted, pressed);
+  parting.makeUpright(fitted);
   return fitted;
 }
 
@@ -177,20 +96,58 @@ bool worthSearching(std::span<const ChartOutline> outlines) {
   return outlines.size() > 1 && outlines.size() <= kMostCharts && area > kLeastShare * squares;
 }
 
-Fitted searchedLayout(std::span<const ChartOutline> outlines, const PackGaps& gaps,
-                      Progress& progress) {
-  Sizes sizes = measure(outlines);
+/// The charts' numbers: those that are searched for the best layout, then crumbs, which are put
+/// into free places at the end.
+struct Order {
+  std::vector<std::size_t> charts;
+  std::size_t searched = 0;
+};
+
+/// Crumbs take next to no room beside the others and are far smaller than these.
+Order crumbsLast(std::span<const ChartOutline> outlines, const PackGaps& gaps) {
+  constexpr double kRoom = 0.03, kSmall = 0.25;
+  constexpr std::size_t kFewCrumbs = 8;
+  Order order;
+  double area = 0;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    order.charts.push_back(i);
+    area += outlines[i].area;
+  }
+  std::stable_sort(order.charts.begin(), order.charts.end(), [&](std::size_t a, std::size_t b) {
+    return outlines[a].area > outlines[b].area;
+  });
+  const double gap = gaps.between * std::sqrt(1.3 * area);
+  double room = 0, larger = area;
+  std::size_t& count = order.searched;
+  for (count = outlines.size(); count > 2; --count) {
+    const ChartOutline& outline = outlines[order.charts[count - 1]];
+    const double side = smallestSquare(outline.hull).side;
+    larger -= outline.area;
+    room += (side + gap) * (side + gap);
+    const double usual = std::sqrt(larger / static_cast<double>(count - 1));
+    if (room > kRoom * area || side + 2 * gap > kSmall * usual) break;
+  }
+  if (outlines.size() - count < kFewCrumbs) count = outlines.size();
+  std::sort(order.charts.begin(), order.charts.begin() + static_cast<std::ptrdiff_t>(count));
+  return order;
+}
+
+/// \param searched how many, the first ones, are searched for the best layout
+Fitted searchedLayout(std::span<const ChartOutline> outlines, std::size_t searched,
+                      const PackGaps& gaps, Progress& progress) {
+  Sizes sizes = measure(outlines.first(searched));
   // A field does not see two fine teeth that cross: without a gap they would hook into each other.
   const PackGaps soft{std::max(gaps.between, 0.001), gaps.border};
   // The gap is widest across a diagonal; and a place is snug up to some distance.
   const double reach = std::max(1.5 * gaps.between * sizes.side, 0.09);
-  const std::vector<PackShape> coarse = makeShapes(outlines, sizes, 12, 10, 6000, reach);
+  const std::vector<PackShape> coarse =
+      makeShapes(outlines.first(searched), sizes, 12, 10, 6000, reach);
   const std::vector<PackLayout> layouts = searchLayouts(coarse, soft, 0.85f, progress);
   if (progress.cancelled()) return {};
   sizes.side = layouts.front().side;
   const std::vector<PackShape> fine =
       makeShapes(outlines, sizes, 1.5, 3, 16000, 1.5 * gaps.between * sizes.side + 0.004);
-  const std::size_t most = outlines.size() > kManyCharts ? 1 : 2;
+  const std::size_t most = searched > kManyCharts ? 1 : 2;
   std::vector<Fitted> fitted(std::min(layouts.size(), most));
   parallelFor(fitted.size(), [&](std::size_t k) {
     fitted[k] = fit(outlines, fine, sizes.scale, layouts[k], gaps, progress);
@@ -217,14 +174,19 @@ std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, cons
                                     Progress& progress) {
   std::vector<Placement> first = firstLayout(outlines, gaps);
   if (!worthSearching(outlines)) return first;
-  const Fitted best = searchedLayout(outlines, gaps, progress);
+  const Order order = crumbsLast(outlines, gaps);
+  std::vector<ChartOutline> ordered;
+  ordered.reserve(outlines.size());
+  for (const std::size_t i : order.charts) ordered.push_back(outlines[i]);
+  const Fitted best = searchedLayout(ordered, order.searched, gaps, progress);
   if (progress.cancelled()) return {};
   if (kUprightWorth * best.scale <= first.front().scale) return first;
-  std::vector<Placement> packed;
-  for (const PlacedOutline& chart : best.charts) {
+  std::vector<Placement> packed(outlines.size());
+  for (std::size_t i = 0; i < packed.size(); ++i) {
+    const PlacedOutline& chart = best.charts[i];
     Placement place{chart.pose.angle, best.scale, {0, 0}};
     place.offset = glm::dvec2(chart.pose.x, chart.pose.y) - place.at(chart.center);
-    packed.push_back(place);
+    packed[order.charts[i]] = place;
   }
   return packed;
 }
