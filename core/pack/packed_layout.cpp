@@ -76,8 +76,14 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
                              shapes[i].center,
                              {pose.x / layout.side + 0.5, pose.y / layout.side + 0.5, pose.angle}});
   }
+  // What lies deeper in others than pressing explains hangs in them.
+  const double pressedIn = grainOf(layout.side, pressed);
+  std::vector<std::size_t> hanging;
+  for (std::size_t i = 0; i < pressed; ++i) {
+    if (squeezer.depths()[i] > pressedIn) hanging.push_back(i);
+  }
   const Parting parting(shapes, layoutScale, gaps, progress);
-  parting.part(fitted, pressed);
+  parting.part(fitted, pressed, std::move(hanging));
   parting.makeUpright(fitted);
   return fitted;
 }

@@ -104,7 +104,8 @@ void Parting::placeCrumbs(Fitted& fitted, std::size_t crumbs) const {
   }
 }
 
-void Parting::part(Fitted& fitted, std::size_t crumbs) const {
+void Parting::part(Fitted& fitted, std::size_t crumbs, std::vector<std::size_t> hanging) const {
+  if (!hanging.empty()) replaceStuck(fitted, crumbs, std::move(hanging));
   settleSomehow(fitted, crumbs);
   if (crumbs == fitted.charts.size() || fitted.scale == 0 || progress_.cancelled()) return;
   placeCrumbs(fitted, crumbs);

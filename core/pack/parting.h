@@ -32,7 +32,8 @@ class Parting {
 
   /// \param fitted charts at a scale at which they are nearly apart; crumbs wherever they are
   /// \param crumbs from which chart on all are put into any free places
-  void part(Fitted& fitted, std::size_t crumbs) const;
+  /// \param hanging others that should have another place
+  void part(Fitted& fitted, std::size_t crumbs, std::vector<std::size_t> hanging) const;
 
   /// Boxes that lie nearly upright are turned to lie so exactly, unless that costs much.
   void makeUpright(Fitted& fitted) const;
