@@ -140,16 +140,21 @@ void Contacts::findInField(Group& group) {
   const float farthest = gap_ * kRootTwo + skin;
   const float right = static_cast<float>(field.nx - 1), top = static_cast<float>(field.ny - 1);
   std::size_t end = group.begin;
-  for (const PackShape::Run& run : other.runs) {
-    const float rx = (c * run.x - s * run.y + tx - field.x0) * field.perCell;
-    const float ry = (s * run.x + c * run.y + ty - field.y0) * field.perCell;
-    const float size = run.radius * field.perCell;
-    if (rx < -size || ry < -size || rx > right + size || ry > top + size) continue;
+  // Whether all points in a circle about (x, y) are farther away than contacts are looked for.
+  const auto allFar = [&](float x, float y, float radius) {
+    const float rx = (c * x - s * y + tx - field.x0) * field.perCell;
+    const float ry = (s * x + c * y + ty - field.y0) * field.perCell;
+    const float size = radius * field.perCell;
+    if (rx < -size || ry < -size || rx > right + size || ry > top + size) return true;
     const int ni = std::clamp(static_cast<int>(rx + 0.5f), 0, field.nx - 1);
     const int nj = std::clamp(static_cast<int>(ry + 0.5f), 0, field.ny - 1);
     const float off =
         std::max(std::abs(rx - static_cast<float>(ni)), std::abs(ry - static_cast<float>(nj)));
-    if (field.at(ni, nj) > farthest + run.radius + kRootTwo * off * field.cell) continue;
+    return field.at(ni, nj) > farthest + radius + kRootTwo * off * field.cell;
+  };
+  if (allFar(0, 0, other.radius)) return fill(group, end);
+  for (const PackShape::Run& run : other.runs) {
+    if (allFar(run.x, run.y, run.radius)) continue;
     for (unsigned k = run.begin; k < run.end; ++k) {
       const PackShape::Point& p = other.points[k];
       const float qx = c * p.x - s * p.y + tx, qy = s * p.x + c * p.y + ty;

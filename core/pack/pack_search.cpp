@@ -36,13 +36,14 @@ constexpr int kTurns = 24;
 constexpr double kCell = 0.0155, kCoarseCell = 0.025;
 /// Share of the square's side from which a shape counts as large.
 constexpr double kLarge = 0.8;
-constexpr int kRepairs = 4;
+constexpr int kRepairs = 4, kRepairsOfMany = 2;
 constexpr int kStartSteps = 60, kRoundSteps = 40;
 constexpr std::uint32_t kSeed = 1;
 /// Depths, in grains, that the walls press charts into each other, softest
 /// last.
 constexpr double kStartDepths[] = {4, 0.5, 0.0625};
 constexpr double kRoundDepths[] = {2, 0.25, 0.03125};
+constexpr double kGentleDepths[] = {0.5, 0.25, 0.03125};  // among many charts
 
 /// How much is tried; points of outlines times steps of squeezing are what it costs.
 struct Plan {
@@ -61,8 +62,8 @@ Plan planFor(std::span<const PackShape> shapes) {
   const double less = std::min(1.0, 2500 / points);
   const auto rounds = [&](double most) { return 2 + static_cast<int>(most * less); };
   // Among many charts a few that lie better change little.
-  if (shapes.size() > kManyCharts) return {2, {}};
-  return {shapes.size() > 60 ? 4u : 8u, {{4, rounds(8)}, {2, rounds(26)}}};
+  if (shapes.size() > kManyCharts) return {1, {}};
+  return {4, {{2, rounds(18)}}};
 }
 
 double unit(Rng& rng) { return (rng.below(1u << 24) + 0.5) / (1u << 24); }
@@ -104,12 +105,13 @@ class Search {
       place(next.layout, space, largeFirst(all, 0.3, rng), rng);
       if (piled(next.layout, squeezer)) continue;
       squeeze(next, squeezer, kStartDepths, kStartSteps, nullptr);
-      for (int i = 0; i < kRepairs && deeper(repairDepth(), next.layout, squeezer); ++i) {
+      const int repairs = many() ? kRepairsOfMany : kRepairs;
+      for (int i = 0; i < repairs && deeper(repairDepth(), next.layout, squeezer); ++i) {
         unhook(next, squeezer, rng);
       }
       if (denser(next, best)) best = std::move(next);
       // Among many the few that still hook are parted at the end.
-      if (!hooked(best.layout, squeezer) || shapes_.size() > kManyCharts) break;
+      if (!hooked(best.layout, squeezer) || many()) break;
     }
     return best;
   }
@@ -134,7 +136,7 @@ class Search {
     }
     place(next.layout, space, largeFirst(taken, 0, rng), rng);
     next.sides.clear();
-    squeeze(next, squeezer, kRoundDepths, kRoundSteps, nullptr);
+    squeeze(next, squeezer, many() ? kGentleDepths : kRoundDepths, kRoundSteps, nullptr);
   }
 
   /// A layout on its way to a denser one.
@@ -266,7 +268,8 @@ class Search {
   static bool deeper(double grains, const PackLayout& layout, const Squeezer& squeezer) {
     return squeezer.depth() > grains * grainOf(layout.side, layout.poses.size());
   }
-  double repairDepth() const { return shapes_.size() > kManyCharts ? kStuckDepth : kHookedDepth; }
+  bool many() const { return shapes_.size() > kManyCharts; }
+  double repairDepth() const { return many() ? kStuckDepth : kHookedDepth; }
 
   /// False, and given up early, when it falls behind `best`.
   bool squeeze(Squeezed& next, Squeezer& squeezer, std::span<const double> depths, int steps,

@@ -108,8 +108,15 @@ void appendRuns(PackShape& shape, std::size_t begin) {
 class NearestSegment {
  public:
   NearestSegment(DistanceField& field, const std::vector<Segment2>& segments)
-      : field_(field), segments_(segments), nearest_(field.value.size(), kFree),
-        square_(field.value.size(), INFINITY) {}
+      : field_(field), nearest_(field.value.size(), kFree),
+        square_(field.value.size(), INFINITY) {
+    lines_.reserve(segments.size());
+    for (const auto& [a, b] : segments) {
+      const glm::dvec2 d = b - a;
+      const double length = d.x * d.x + d.y * d.y;
+      lines_.push_back({a, d, length > 0 ? 1 / length : 0});
+    }
+  }
 
   void run() {
     seed();
@@ -122,29 +129,35 @@ class NearestSegment {
 
  private:
   static constexpr unsigned kFree = 0xFFFFFFFFu;
+  struct Line {
+    glm::dvec2 from, way;
+    double perSquare;  ///< 1 over the square of the length, or 0
+  };
 
   void offer(int i, int j, unsigned segment) {
     if (segment == kFree) return;
     const std::size_t node = static_cast<std::size_t>(j) * static_cast<std::size_t>(field_.nx) +
                              static_cast<std::size_t>(i);
     if (nearest_[node] == segment) return;
-    const glm::dvec2 p(field_.x0 + i * static_cast<double>(field_.cell),
-                       field_.y0 + j * static_cast<double>(field_.cell));
-    const auto& [a, b] = segments_[segment];
-    const glm::dvec2 d = b - a, e = p - a;
-    const double length = d.x * d.x + d.y * d.y;
-    const double t = length > 0 ? std::clamp((e.x * d.x + e.y * d.y) / length, 0.0, 1.0) : 0;
+    const Line& line = lines_[segment];
+    const glm::dvec2& d = line.way;
+    const double cell = field_.cell;
+    const glm::dvec2 e(field_.x0 + i * cell - line.from.x, field_.y0 + j * cell - line.from.y);
+    const double t = std::clamp((e.x * d.x + e.y * d.y) * line.perSquare, 0.0, 1.0);
     const double x = e.x - t * d.x, y = e.y - t * d.y;
     if (x * x + y * y < square_[node]) square_[node] = x * x + y * y, nearest_[node] = segment;
   }
   void seed() {
-    for (unsigned k = 0; k < segments_.size(); ++k) {
-      const auto& [a, b] = segments_[k];
-      const int steps = 1 + static_cast<int>(glm::distance(a, b) / field_.cell);
+    for (unsigned k = 0; k < lines_.size(); ++k) {
+      const auto& [a, way, perSquare] = lines_[k];
+      const int steps = 1 + static_cast<int>(glm::length(way) / field_.cell);
+      int lastI = -1, lastJ = -1;
       for (int s = 0; s <= steps; ++s) {
-        const glm::dvec2 p = a + (b - a) * (static_cast<double>(s) / steps);
+        const glm::dvec2 p = a + way * (static_cast<double>(s) / steps);
         const int i = static_cast<int>(std::floor((p.x - field_.x0) / field_.cell));
         const int j = static_cast<int>(std::floor((p.y - field_.y0) / field_.cell));
+        if (i == lastI && j == lastJ) continue;
+        lastI = i, lastJ = j;
         for (int y = std::max(0, j - 1); y <= std::min(field_.ny - 1, j + 2); ++y) {
           for (int x = std::max(0, i - 1); x <= std::min(field_.nx - 1, i + 2); ++x) {
             offer(x, y, k);
@@ -172,7 +185,7 @@ class NearestSegment {
   }
 
   DistanceField& field_;
-  const std::vector<Segment2>& segments_;
+  std::vector<Line> lines_;
   std::vector<unsigned> nearest_;
   std::vector<double> square_;
 };

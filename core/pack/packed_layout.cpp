@@ -151,9 +151,10 @@ Fitted searchedLayout(std::span<const ChartOutline> outlines, std::size_t search
   const std::vector<PackLayout> layouts = searchLayouts(coarse, soft, 0.85f, progress);
   if (progress.cancelled()) return {};
   sizes.side = layouts.front().side;
-  const std::vector<PackShape> fine =
-      makeShapes(outlines, sizes, 1.5, 3, 16000, 1.5 * gaps.between * sizes.side + 0.004);
-  const std::size_t most = searched > kManyCharts ? 1 : 2;
+  const bool many = searched > kManyCharts;
+  const std::vector<PackShape> fine = makeShapes(outlines, sizes, 1.5, many ? 6 : 3, 16000,
+                                                 1.5 * gaps.between * sizes.side + 0.004);
+  const std::size_t most = many ? 1 : 2;
   std::vector<Fitted> fitted(std::min(layouts.size(), most));
   parallelFor(fitted.size(), [&](std::size_t k) {
     fitted[k] = fit(outlines, fine, sizes.scale, layouts[k], gaps, progress);

@@ -16,7 +16,7 @@ struct SqueezeOptions {
   double pressure =
       0;  ///< force on the walls; what shapes are pressed into each other grows with it
   int steps = 0;
-  double skin = 0.008;  ///< layout units, see Contacts
+  double skin = 0.012;  ///< layout units, see Contacts
 };
 
 /// The pressure that presses shapes about so many grains deep into each other.
