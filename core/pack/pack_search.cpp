@@ -23,6 +23,8 @@ constexpr double kLeastFill = 0.08, kLessFill = 0.8;
 /// How deep charts lie in each other that are hooked, in grains, and how much
 /// smaller they must become at the end to come apart.
 constexpr double kHookedDepth = 2, kHookedCost = 1.5;
+/// One in so many charts may be hooked where it is worth while to take those out.
+constexpr std::ptrdiff_t kHookedShare = 8;
 /// How deep charts lie in each other, in grains, where they were put on one heap; otherwise they
 /// begin with 15 to 75. And how many cannot make one that matters.
 constexpr double kPiledDepth = 90;
@@ -63,7 +65,9 @@ Plan planFor(std::span<const PackShape> shapes) {
   const auto rounds = [&](double most) { return 2 + static_cast<int>(most * less); };
   // Among many charts a few that lie better change little.
   if (shapes.size() > kManyCharts) return {1, {}};
-  return {4, {{2, rounds(18)}}};
+  // A few charts cost little, and one that lies badly counts for much.
+  const bool few = shapes.size() <= 12;
+  return {few ? 8u : 4u, {{2, rounds(few ? 30 : 12)}}};
 }
 
 double unit(Rng& rng) { return (rng.below(1u << 24) + 0.5) / (1u << 24); }
@@ -106,7 +110,7 @@ class Search {
       if (piled(next.layout, squeezer)) continue;
       squeeze(next, squeezer, kStartDepths, kStartSteps, nullptr);
       const int repairs = many() ? kRepairsOfMany : kRepairs;
-      for (int i = 0; i < repairs && deeper(repairDepth(), next.layout, squeezer); ++i) {
+      for (int i = 0; i < repairs && worthRepair(next.layout, squeezer); ++i) {
         unhook(next, squeezer, rng);
       }
       if (denser(next, best)) best = std::move(next);
@@ -267,6 +271,15 @@ class Search {
   }
   static bool deeper(double grains, const PackLayout& layout, const Squeezer& squeezer) {
     return squeezer.depth() > grains * grainOf(layout.side, layout.poses.size());
+  }
+  /// Whether some shapes lie too deep in others, yet not so many that only more room helps.
+  bool worthRepair(const PackLayout& layout, const Squeezer& squeezer) const {
+    if (!deeper(repairDepth(), layout, squeezer)) return false;
+    const double most = kHookedDepth * grainOf(layout.side, shapes_.size());
+    const std::span<const float> depths = squeezer.depths();
+    const auto hooked =
+        std::count_if(depths.begin(), depths.end(), [&](float depth) { return depth > most; });
+    return shapes_.size() <= kFewCharts || hooked <= std::ssize(depths) / kHookedShare;
   }
   bool many() const { return shapes_.size() > kManyCharts; }
   double repairDepth() const { return many() ? kStuckDepth : kHookedDepth; }
