@@ -179,8 +179,8 @@ void FreeSpace::findCosts(std::size_t at) {
   // Far inside shapes, a distance less the gap may be less than what a short holds.
   const ShortLanes room = larger(loadLanes<ShortLanes>(&room_[at]), ShortLanes{} - short{16384});
   const ShortLanes free = room - need_;
-  const ShortLanes snug =
-      leastOverlap_ == 0 ? smaller(free, reach) / kPerSnugCost : smaller(free, reach) / kPerBarredSnug;
+  const ShortLanes snug = leastOverlap_ == 0 ? smaller(free, reach) / kPerSnugCost
+                                             : smaller(free, reach) / kPerBarredSnug;
   const ShortLanes cost =
       free < 0 ? kOverlapCost * larger(smaller(-free, mostOverlap), ShortLanes{} + leastOverlap_)
                : snug;

@@ -61,7 +61,7 @@ class FreeSpace {
     int left, right, bottom, top;
   };
 
-  void findCosts(std::size_t at);  ///< of eight cells
+  void findCosts(std::size_t at);                            ///< of eight cells
   void findSpans(int left, int right, int bottom, int top);  ///< of the blocks of these cells
   static ShortLanes costOf(const Stamp& stamp, const short* costs, short best);
   void lookAt(const Stamp& stamp, double angle, const Room& room, Best& best);

@@ -91,8 +91,9 @@ constexpr Look kLooks[] = {{0.2, 1.02}, {0.5, 1.007}, {1, 1.0015}};
 
 class Search {
  public:
-  Search(std::span<const PackShape> shapes, const PackGaps& gaps, const Progress& progress)
-      : shapes_(shapes), gaps_(gaps), progress_(progress),
+  Search(std::span<const PackShape> shapes, const PackGaps& gaps, double largestSide,
+         const Progress& progress)
+      : shapes_(shapes), gaps_(gaps), largestSide_(largestSide), progress_(progress),
         turns_(std::clamp(static_cast<int>(60 * kTurns / shapes.size()) / 8 * 8,
                           shapes.size() > kManyCharts ? 4 : 8, kTurns)),
         cell_(shapes.size() <= 60 ? kCell : kCoarseCell) {}
@@ -104,6 +105,7 @@ class Search {
     Squeezed best{{}, INFINITY, {}};
     for (double fill = firstFill; fill > kLeastFill && !progress_.cancelled(); fill *= kLessFill) {
       const double side = sideFor(fill);
+      if (fill < firstFill && side > largestSide_ && best.side < INFINITY) break;
       Squeezed next{{side, std::vector<Pose>(shapes_.size())}, 0, {}};
       FreeSpace space = emptySpace(side);
       place(next.layout, space, largeFirst(all, 0.3, rng), rng);
@@ -314,6 +316,7 @@ class Search {
 
   std::span<const PackShape> shapes_;
   PackGaps gaps_;
+  double largestSide_;
   const Progress& progress_;
   int turns_;
   double cell_;  ///< of the free space, layout units
@@ -322,7 +325,7 @@ class Search {
 }  // namespace
 
 std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const PackGaps& gaps,
-                                      float lastFraction, Progress& progress) {
+                                      double largestSide, float lastFraction, Progress& progress) {
   const Plan plan = planFor(shapes);
   // A start costs about as much as three rounds.
   float work = 3 * static_cast<float>(plan.starts);
@@ -333,7 +336,7 @@ std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const P
   const auto advance = [&](int rounds) {
     progress.setFraction(lastFraction * static_cast<float>(done += rounds) / work);
   };
-  const Search search(shapes, gaps, progress);
+  const Search search(shapes, gaps, largestSide, progress);
   std::vector<Squeezed> chains(plan.starts);
   parallelFor(chains.size(), [&](std::size_t k) {
     if (progress.cancelled()) return;

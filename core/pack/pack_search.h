@@ -18,8 +18,10 @@ constexpr std::size_t kManyCharts = 250;
 /// part of the points' spacing. A fixed amount of work that grows little with the number of
 /// shapes, shared out over the threads by independent layouts. Fills the progress up to
 /// `lastFraction`.
+/// \param largestSide starts with more room than a square of this side are not tried: a layout as
+/// large is known
 /// \return at least one layout; meaningless when cancelled
 std::vector<PackLayout> searchLayouts(std::span<const PackShape> shapes, const PackGaps& gaps,
-                                      float lastFraction, Progress& progress);
+                                      double largestSide, float lastFraction, Progress& progress);
 
 }  // namespace chartflood

@@ -108,8 +108,7 @@ void appendRuns(PackShape& shape, std::size_t begin) {
 class NearestSegment {
  public:
   NearestSegment(DistanceField& field, const std::vector<Segment2>& segments)
-      : field_(field), nearest_(field.value.size(), kFree),
-        square_(field.value.size(), INFINITY) {
+      : field_(field), nearest_(field.value.size(), kFree), square_(field.value.size(), INFINITY) {
     lines_.reserve(segments.size());
     for (const auto& [a, b] : segments) {
       const glm::dvec2 d = b - a;

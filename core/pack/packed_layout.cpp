@@ -55,10 +55,17 @@ std::vector<PackShape> makeShapes(std::span<const ChartOutline> outlines, const 
   return shapes;
 }
 
+/// Of a unit of the charts' plane.
+struct Scales {
+  double layout;  ///< in layout units
+  double least;   ///< in the texture, of a layout worth anything
+};
+
 /// Presses a layout once more, with finer shapes, and parts it exactly. The layout is of the first
 /// shapes; the others, crumbs, are put into free places.
 Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> shapes,
-           double layoutScale, PackLayout layout, const PackGaps& gaps, const Progress& progress) {
+           const Scales& scales, PackLayout layout, const PackGaps& gaps,
+           const Progress& progress) {
   const std::size_t pressed = layout.poses.size();
   // Pressed with a gap even where none is asked for, see below.
   Squeezer squeezer(shapes.first(pressed), {std::max(gaps.between, 0.001), gaps.border});
@@ -69,7 +76,7 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
     squeezer.rest();
     squeezer.run(layout, {pressureFor(depth, layout.side), steps, kSkin}, progress);
   }
-  Fitted fitted{1.002 * layoutScale / layout.side, {}};
+  Fitted fitted{1.002 * scales.layout / layout.side, {}};
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const Pose pose = i < pressed ? layout.poses[i] : Pose{};
     fitted.charts.push_back({&outlines[i],
@@ -82,7 +89,7 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
   for (std::size_t i = 0; i < pressed; ++i) {
     if (squeezer.depths()[i] > pressedIn) hanging.push_back(i);
   }
-  const Parting parting(shapes, layoutScale, gaps, progress);
+  const Parting parting(shapes, scales.layout, scales.least, gaps, progress);
   parting.part(fitted, pressed, std::move(hanging));
   parting.makeUpright(fitted);
   return fitted;
@@ -139,16 +146,19 @@ Order crumbsLast(std::span<const ChartOutline> outlines, const PackGaps& gaps) {
 }
 
 /// \param searched how many, the first ones, are searched for the best layout
+/// \param leastScale that of a layout that is known
 Fitted searchedLayout(std::span<const ChartOutline> outlines, std::size_t searched,
-                      const PackGaps& gaps, Progress& progress) {
+                      double leastScale, const PackGaps& gaps, Progress& progress) {
   Sizes sizes = measure(outlines.first(searched));
+  const Scales scales{sizes.scale, leastScale};
   // A field does not see two fine teeth that cross: without a gap they would hook into each other.
   const PackGaps soft{std::max(gaps.between, 0.001), gaps.border};
   // The gap is widest across a diagonal; and a place is snug up to some distance.
   const double reach = std::max(1.5 * gaps.between * sizes.side, 0.09);
   const std::vector<PackShape> coarse =
       makeShapes(outlines.first(searched), sizes, 12, 10, 6000, reach);
-  const std::vector<PackLayout> layouts = searchLayouts(coarse, soft, 0.85f, progress);
+  const std::vector<PackLayout> layouts =
+      searchLayouts(coarse, soft, scales.layout / leastScale, 0.85f, progress);
   if (progress.cancelled()) return {};
   sizes.side = layouts.front().side;
   const bool many = searched > kManyCharts;
@@ -157,13 +167,13 @@ Fitted searchedLayout(std::span<const ChartOutline> outlines, std::size_t search
   const std::size_t most = many ? 1 : 2;
   std::vector<Fitted> fitted(std::min(layouts.size(), most));
   parallelFor(fitted.size(), [&](std::size_t k) {
-    fitted[k] = fit(outlines, fine, sizes.scale, layouts[k], gaps, progress);
+    fitted[k] = fit(outlines, fine, scales, layouts[k], gaps, progress);
   });
   // Among many charts some may have come apart badly; the next layout then has its turn.
   constexpr double kWell = 0.96;
   if (fitted.size() < layouts.size() &&
       fitted.front().scale < kWell * sizes.scale / layouts.front().side && !progress.cancelled()) {
-    fitted.push_back(fit(outlines, fine, sizes.scale, layouts[fitted.size()], gaps, progress));
+    fitted.push_back(fit(outlines, fine, scales, layouts[fitted.size()], gaps, progress));
   }
   return std::move(fitted.back().scale > fitted.front().scale ? fitted.back() : fitted.front());
 }
@@ -185,7 +195,7 @@ std::vector<Placement> packedLayout(std::span<const ChartOutline> outlines, cons
   std::vector<ChartOutline> ordered;
   ordered.reserve(outlines.size());
   for (const std::size_t i : order.charts) ordered.push_back(outlines[i]);
-  const Fitted best = searchedLayout(ordered, order.searched, gaps, progress);
+  const Fitted best = searchedLayout(ordered, order.searched, first.front().scale, gaps, progress);
   if (progress.cancelled()) return {};
   if (kUprightWorth * best.scale <= first.front().scale) return first;
   std::vector<Placement> packed(outlines.size());

@@ -48,9 +48,8 @@ bool Parting::tryPlace(Fitted& fitted, std::size_t chart, int turns, FreeSpace& 
 }
 
 void Parting::largeFirst(std::vector<std::size_t>& charts) const {
-  std::stable_sort(charts.begin(), charts.end(), [&](std::size_t a, std::size_t b) {
-    return shapes_[a].area > shapes_[b].area;
-  });
+  std::stable_sort(charts.begin(), charts.end(),
+                   [&](std::size_t a, std::size_t b) { return shapes_[a].area > shapes_[b].area; });
 }
 
 /// Charts stuck in bays of others are put into any free places that they fit.
@@ -77,11 +76,13 @@ void Parting::settleSomehow(Fitted& fitted, std::size_t count) const {
   for (int i = 0; i <= kReplacings && !progress_.cancelled(); ++i) {
     const int steps = i < kReplacings ? kSettleSteps : 2 * kSettleSteps;
     if (settleFirst(fitted, count, steps, stuck)) return;
+    if (fitted.scale < leastScale_) break;
     if (!replaceStuck(fitted, count, std::move(stuck))) fitted.scale *= kSmaller;
   }
   for (const double room : {0.97, 0.9, 0.75, 0.5}) {
     fitted = before;
     fitted.scale *= room;
+    if (fitted.scale < leastScale_) break;
     if (settleFirst(fitted, count, 2 * kSettleSteps, stuck) || progress_.cancelled()) return;
   }
   fitted.scale = 0;
@@ -99,7 +100,7 @@ void Parting::placeCrumbs(Fitted& fitted, std::size_t crumbs) const {
     const bool all = std::all_of(loose.begin(), loose.end(), [&](std::size_t chart) {
       return tryPlace(fitted, chart, kTurns, space);
     });
-    if (all) return;
+    if (all || fitted.scale < leastScale_) return;
     fitted.scale *= kSmaller;
   }
 }

@@ -22,13 +22,16 @@ struct Fitted {
 };
 
 /// Moves charts a little, and those that stay stuck in others or have no place yet into free
-/// places, until all are apart. Reads the shapes and outlines, which must live as long as the object does.
+/// places, until all are apart. Reads the shapes and outlines, which must live as long as the
+/// object does.
 class Parting {
  public:
   /// \param layoutScale layout units per unit of the charts' plane, as the shapes have them
-  Parting(std::span<const PackShape> shapes, double layoutScale, const PackGaps& gaps,
-          const Progress& progress)
-      : shapes_(shapes), layoutScale_(layoutScale), gaps_(gaps), progress_(progress) {}
+  /// \param leastScale the work is given up below it
+  Parting(std::span<const PackShape> shapes, double layoutScale, double leastScale,
+          const PackGaps& gaps, const Progress& progress)
+      : shapes_(shapes), layoutScale_(layoutScale), leastScale_(leastScale), gaps_(gaps),
+        progress_(progress) {}
 
   /// \param fitted charts at a scale at which they are nearly apart; crumbs wherever they are
   /// \param crumbs from which chart on all are put into any free places
@@ -49,7 +52,7 @@ class Parting {
   void largeFirst(std::vector<std::size_t>& charts) const;
 
   std::span<const PackShape> shapes_;
-  double layoutScale_;
+  double layoutScale_, leastScale_;
   PackGaps gaps_;
   const Progress& progress_;
 };

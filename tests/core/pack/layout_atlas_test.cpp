@@ -133,6 +133,17 @@ TEST(PackedLayout, SmallChartsUseHoles) {
   EXPECT_GT(atlas->placement[0].scale, 0.97 * ring->placement[0].scale);
 }
 
+TEST(PackedLayout, CrumbsLeaveTheOthersTheirSize) {
+  LaidCharts laid = blobs(20, 3);
+  const auto alone = laid.layout({kPacked, 1024, 2});
+  for (int i = 0; i < 150; ++i) laid.addRectangle(0.002 + 0.00001 * i, 0.003);
+  const auto atlas = laid.layout({kPacked, 1024, 2});
+  expectSound(laid, *atlas);
+  expectApart(laid, *atlas);
+  expectOneScale(*atlas);
+  EXPECT_GT(atlas->placement[0].scale, 0.97 * alone->placement[0].scale);
+}
+
 TEST(PackedLayout, ThinChartsDoNotStayAcrossEachOther) {
   LaidCharts laid;
   for (int i = 0; i < 12; ++i) laid.addCross(0.08);
