@@ -65,9 +65,7 @@ Plan planFor(std::span<const PackShape> shapes) {
   const auto rounds = [&](double most) { return 2 + static_cast<int>(most * less); };
   // Among many charts a few that lie better change little.
   if (shapes.size() > kManyCharts) return {1, {}};
-  // A few charts cost little, and one that lies badly counts for much.
-  const bool few = shapes.size() <= 12;
-  return {few ? 8u : 4u, {{2, rounds(few ? 30 : 12)}}};
+  return {shapes.size() > 60 ? 4u : 8u, {{4, rounds(8)}, {2, rounds(26)}}};
 }
 
 double unit(Rng& rng) { return (rng.below(1u << 24) + 0.5) / (1u << 24); }
