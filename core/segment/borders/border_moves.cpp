@@ -11,6 +11,7 @@
 
 #include "core/base/parallel.h"
 #include "core/segment/borders/bordered_charts.h"
+#include "core/segment/borders/crease_lines.h"
 #include "core/segment/parts/chart_areas.h"
 
 namespace chartflood {
@@ -46,6 +47,7 @@ struct BorderMoves::Tables {
   const Options options;
   double unit;  ///< of lengths, normalised units; 0 when there is none
   std::span<const double> faceGauss;
+  std::vector<std::uint8_t> line;   ///< of each sharp edge: 1 where it is part of a line
   std::vector<double> vertexGauss;  ///< empty when no vertex has Gauss area
 
   double faceArea(Index face) const {
@@ -75,7 +77,8 @@ struct BorderMoves::Tables {
         glm::length(positions[mesh.sideStart(side)] - positions[mesh.sideEnd(side)]));
     if (unit > 0) {
       length = static_cast<float>(static_cast<double>(length) / unit);
-      if (sharpEdge(side) != kNone) {
+      const Index sharp = sharpEdge(side);
+      if (sharp != kNone && line[sharp] != 0) {
         length = static_cast<float>(static_cast<double>(length) * options.creaseFactor);
       }
     }
@@ -145,7 +148,8 @@ BorderMoves::BorderMoves(const Mesh& mesh, const GaussArea& gauss,
     : mesh_(mesh), label_(std::move(label)), fixed_(mesh.faceCount(), false),
       sweepsLeft_(options.maxSweeps), active_((mesh.faceCount() + 63) / 64, 0) {
   const double unit = options.likeCuts ? std::sqrt(mesh.surfaceArea()) : meanEdgeLength(mesh);
-  auto tables = std::make_unique<Tables>(Tables{mesh, gauss, options, unit, faceGauss, {}});
+  auto tables = std::make_unique<Tables>(
+      Tables{mesh, gauss, options, unit, faceGauss, creaseLines(mesh, gauss), {}});
   if (!gauss.corners.empty()) {
     tables->vertexGauss.assign(mesh.vertexCount(), 0);
     for (std::size_t i = 0; i < gauss.corners.size(); ++i) {

@@ -16,7 +16,7 @@ namespace chartflood {
 
 /// Lowers the energy
 ///
-///   sum over seam edges of length * (crease ? 0.3 : 1) / unit
+///   sum over seam edges of length * (crease line ? 0.3 : 1) / unit
 ///     + W * mean_i ((B_i - mean) / mean)^2,   B_i = A(i) + eta * area(i),
 ///
 /// as a clean-up: the unit is the mean edge length and W = 400 mu sqrt(F / 70000); or as the seam
@@ -32,7 +32,7 @@ class BorderMoves {
   struct Options {
     double weight = 1000;       ///< how much balance counts against short seams: mu, or w
     bool likeCuts = false;      ///< the energy of SeamCuts, its w
-    double creaseFactor = 0.3;  ///< length of a crease against a smooth edge's
+    double creaseFactor = 0.3;  ///< length of a crease line against other edges'
     double eta = 0;             ///< steradians a squared normalised unit of surface counts as
     std::span<const double> sideFactor = {};  ///< of hints, on the length of each side; empty: 1
     const ChartPrice* price = nullptr;        ///< the method's own cost, added to the energy

@@ -18,7 +18,7 @@ namespace chartflood {
 
 /// Lowers the energy
 ///
-///   seam length (sharp edges times a factor) / sqrt(area) + w * mean_i ((B_i - mean) / mean)^2,
+///   seam length (creases times a factor) / sqrt(area) + w * mean_i ((B_i - mean) / mean)^2,
 ///   B_i = A(i) + eta * area(i),
 ///
 /// over the charts that have a neighbour and their area; or with the one-sided balance of
@@ -32,7 +32,7 @@ class SeamCuts {
  public:
   struct Options {
     double weight = 1000;       ///< w: how much balance counts against short seams
-    double creaseWeight = 0.3;  ///< length of a sharp edge against a smooth one's
+    double creaseWeight = 0.3;  ///< length of a creaseLines() edge against others'
     double band = 0.15;         ///< width of the band around seams, in mean chart sizes
     double eta = 0;             ///< steradians a squared normalised unit of surface counts as
     std::span<const double> sideFactor = {};  ///< of hints, on the length of each side; empty: 1

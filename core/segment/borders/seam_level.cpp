@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/flood/build_flood_graph.h"
+#include "core/segment/borders/crease_lines.h"
 #include "core/segment/parts/face_clusters.h"
 
 namespace chartflood {
@@ -20,9 +21,12 @@ SeamTables makeSeamTables(const Mesh& mesh, const GaussArea& gauss,
   for (Index s = 0; s < tables.sideLength.size(); ++s) {
     tables.sideLength[s] = glm::length(positions[mesh.sideStart(s)] - positions[mesh.sideEnd(s)]);
   }
-  for (const Index s : gauss.sharpEdges) {
-    tables.sideLength[s] *= creaseWeight;
-    tables.sideLength[mesh.opposite()[s]] *= creaseWeight;
+  const std::vector<std::uint8_t> line = creaseLines(mesh, gauss);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == 0) continue;
+    const Index side = gauss.sharpEdges[i];
+    tables.sideLength[side] *= creaseWeight;
+    tables.sideLength[mesh.opposite()[side]] *= creaseWeight;
   }
   for (Index s = 0; s < sideFactor.size(); ++s) tables.sideLength[s] *= sideFactor[s];
   if (!gauss.sharpEdges.empty()) tables.sideGauss.assign(tables.sideLength.size(), 0);

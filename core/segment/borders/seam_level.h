@@ -28,7 +28,7 @@ struct SeamTables {
   std::vector<glm::dvec3> center;   ///< of each face
 };
 
-/// \param creaseWeight factor on the length of sharp edges
+/// \param creaseWeight factor on the length of sharp edges that are creaseLines()
 /// \param eta steradians that a squared normalised unit of surface counts as
 /// \param sideFactor one more factor on the length of each side; empty: 1
 SeamTables makeSeamTables(const Mesh& mesh, const GaussArea& gauss,

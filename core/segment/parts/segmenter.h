@@ -125,7 +125,7 @@ enum class RefineKind {
 struct RefineOptions {
   RefineKind kind = RefineKind::Cuts;
   double balanceWeight = 1000;  ///< w of the cuts
-  double creaseWeight = 0.3;    ///< length of a sharp edge against a smooth one's, of the cuts
+  double creaseWeight = 0.3;    ///< length of a crease line against other edges', of the cuts
   double cleanUp = 1000;        ///< weight of balance of the moves
   bool oneSided = false;        ///< cuts: only charts above their share of the whole cost
   /// Factor on the length of each side of the mesh, from hints; null: 1.

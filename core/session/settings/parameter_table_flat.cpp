@@ -47,7 +47,8 @@ std::vector<ParameterInfo> borderRows() {
        .group = "Borders",
        .help =
            "What a crease counts in a seam's length. Small: seams run along creases. 1: creases "
-           "count as any other edge. For shortest borders.",
+           "count as any other edge, as the short sharp edges of a rough surface always do. For "
+           "shortest borders.",
        .source = ""},
       {.id = "clean-up",
        .label = "Tidy borders",
