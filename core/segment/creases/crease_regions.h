@@ -35,17 +35,22 @@ CreaseRegions creaseRegions(const Mesh& mesh, const GaussArea& gauss);
 /// Cost: linear.
 bool dividedByCreases(const Mesh& mesh, const GaussArea& gauss);
 
+/// What charts made from crease regions heed.
+struct CreaseRules {
+  std::span<const std::size_t> most = {};  ///< as in PartShares; empty: no limit
+  /// As quadPartners() has it: single triangles are joined first, and quads are parted when nothing
+  /// else is left; empty: faces are alike.
+  std::span<const Index> partner = {};
+  bool first = false;  ///< creases come first: splits follow them whatever the length of seams
+};
+
 /// Joins regions along flat and long borders, or splits the largest and most curved in two, rings
-/// first, until there are `charts` (as far as separate parts allow).
+/// first, until there are `charts` (as far as separate parts allow). Splits go along creases inside
+/// a region where that is no long way around.
 /// \param faceGauss faceGaussArea() of the mesh
 /// \param rng where splits begin to look for faces far from each other
-/// \param most as in PartShares; empty: no limit
-/// \param partner as quadPartners() has it: single triangles are joined first, and quads are parted
-/// when nothing else is left; empty: faces are alike
 CreaseRegions chartsFromCreases(const Mesh& mesh, const GaussArea& gauss,
                                 std::span<const double> faceGauss, CreaseRegions regions,
-                                std::size_t charts, Rng& rng,
-                                std::span<const std::size_t> most = {},
-                                std::span<const Index> partner = {});
+                                std::size_t charts, Rng& rng, const CreaseRules& rules = {});
 
 }  // namespace chartflood

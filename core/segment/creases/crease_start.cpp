@@ -124,10 +124,9 @@ class CreaseStart final : public Stepper {
     const bool joined = regions.count >= charts;
     if (flat && !options_.refine.sideFactor && joined) options_.refine.kind = RefineKind::None;
     if (flat && !joined) holdQuads(flat->partner);
-    std::span<const Index> partner;
-    if (flat) partner = flat->partner;
-    return chartsFromCreases(mesh, gauss, faceGauss_, std::move(regions), charts, rng, shares.most,
-                             partner);
+    CreaseRules rules{.most = shares.most, .first = options_.creasesFirst};
+    if (flat) rules.partner = flat->partner;
+    return chartsFromCreases(mesh, gauss, faceGauss_, std::move(regions), charts, rng, rules);
   }
 
   /// Makes the diagonals of quads dearer than the way around them.

@@ -65,6 +65,7 @@ double ChartSplitter::need(const Chart& chart) const {
 }
 
 void ChartSplitter::search(const Chart& chart, std::span<const Index> sources) {
+  across_ = rules_.across * std::sqrt(chart.area);
   for (const Index f : chart.faces) distance_[f] = std::numeric_limits<double>::infinity();
   heap_.clear();
   for (const Index f : sources) {
@@ -94,7 +95,8 @@ void ChartSplitter::relax(Index f, Index own, double distance) {
     if (other == kNone) continue;
     const Index next = mesh_.faceOf(other / 3), g = unitOf(next);
     if (label_[next] != label_[own]) continue;
-    const double to = distance + glm::length(center_[f] - center_[g]);
+    double to = distance + glm::length(center_[f] - center_[g]);
+    if (!rules_.dear.empty() && rules_.dear[s] != 0) to += across_;
     if (!(to < distance_[g])) continue;
     distance_[g] = to;
     nearest_[g] = nearest_[f];

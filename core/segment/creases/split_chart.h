@@ -1,6 +1,7 @@
 #pragma once
 /// Charts that are split in two, the largest and most curved first.
 
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -21,6 +22,8 @@ class ChartSplitter {
   struct Rules {
     std::span<const Index> partner = {};     ///< faces that stay together, kNone: none; empty: none
     std::span<const std::size_t> most = {};  ///< as in PartShares
+    std::span<const std::uint8_t> dear = {};  ///< 1: sides that are dear to cross; empty: none
+    double across = 1;  ///< what a step over these is longer by, in widths of the chart
   };
   /// \param faceGauss faceGaussArea() of the mesh
   /// \param rules must outlive it
@@ -65,6 +68,7 @@ class ChartSplitter {
   std::vector<Chart> charts_;
   Rules rules_;
   std::vector<std::size_t> chartsOfPart_;
+  double across_ = 0;             ///< what a step over a dear side is longer by
   std::vector<double> distance_;  ///< of units
   std::vector<Index> nearest_;    ///< of units
   std::vector<std::pair<double, Index>> heap_;

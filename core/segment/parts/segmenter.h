@@ -142,6 +142,7 @@ struct SegmentOptions {
   std::vector<double> offsets;      ///< of the first round, one per seed; empty: zero
   std::vector<glm::dvec3> normals;  ///< of the first round, one per seed; empty: those of the faces
   std::uint32_t rngSeed = 1;
+  bool creasesFirst = false;  ///< of a start from creases: they come before short seams
   SearchKind search = SearchKind::Literal;
   FastFlood fast;  ///< what the first flood of the fast search runs on, to go on from
   bool useOffsets = true;

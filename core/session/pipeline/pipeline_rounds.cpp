@@ -76,6 +76,7 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   options.offsets = offsets_;
   options.normals = normals_;
   options.rngSeed = creases.value_or(static_cast<std::uint32_t>(p.rngSeed));
+  options.creasesFirst = p.start == "creases";
   if (fast) {
     options.search = SearchKind::Fast;
     options.fast = *fast;
