@@ -64,7 +64,7 @@ Plan planFor(std::span<const PackShape> shapes) {
   const double less = std::min(1.0, 2500 / points);
   const auto rounds = [&](double most) { return 2 + static_cast<int>(most * less); };
   // Among many charts a few that lie better change little.
-  if (shapes.size() > kManyCharts) return {1, {}};
+  if (shapes.size() > kManyCharts) return {2, {}};
   return {shapes.size() > 60 ? 4u : 8u, {{4, rounds(8)}, {2, rounds(26)}}};
 }
 
