@@ -20,6 +20,10 @@ namespace {
 constexpr double kFirstFills[] = {0.84, 0.87, 0.82, 0.855};
 /// Where charts stay hooked into each other, the next try leaves more room, down to this share.
 constexpr double kLeastFill = 0.08, kLessFill = 0.8;
+/// Room that many charts do not fill stays a hole in their middle: they are given little more.
+constexpr double kLessFillOfMany = 0.93;
+/// Many charts that cover less are placed once more, among finer cells.
+constexpr double kPoorFill = 0.6;
 /// How deep charts lie in each other that are hooked, in grains, and how much
 /// smaller they must become at the end to come apart.
 constexpr double kHookedDepth = 2, kHookedCost = 1.5;
@@ -101,19 +105,29 @@ class Search {
     for (Index i = 0; i < all.size(); ++i) all[i] = i;
     Squeezer squeezer(shapes_, gaps_);
     Squeezed best{{}, INFINITY, {}};
-    for (double fill = firstFill; fill > kLeastFill && !progress_.cancelled(); fill *= kLessFill) {
+    const double less = many() ? kLessFillOfMany : kLessFill;
+    double cell = cell_;
+    for (double fill = firstFill; fill > kLeastFill && !progress_.cancelled(); fill *= less) {
       const double side = sideFor(fill);
       if (fill < firstFill && side > largestSide_ && best.side < INFINITY) break;
       Squeezed next{{side, std::vector<Pose>(shapes_.size())}, 0, {}};
-      FreeSpace space = emptySpace(side);
+      FreeSpace space = emptySpace(side, cell);
       place(next.layout, space, largeFirst(all, 0.3, rng), rng);
-      if (piled(next.layout, squeezer)) continue;
+      if (piled(next.layout, squeezer)) {
+        // The smallest of charts of many sizes find no place among cells larger than they are.
+        if (cell > kCell) cell = kCell, fill /= less;
+        continue;
+      }
       squeeze(next, squeezer, kStartDepths, kStartSteps, nullptr);
       const int repairs = many() ? kRepairsOfMany : kRepairs;
       for (int i = 0; i < repairs && worthRepair(next.layout, squeezer); ++i) {
         unhook(next, squeezer, rng);
       }
       if (denser(next, best)) best = std::move(next);
+      if (many() && cell > kCell && best.side > sideFor(kPoorFill)) {
+        cell = kCell, fill /= less;
+        continue;
+      }
       // Among many the few that still hook are parted at the end.
       if (!hooked(best.layout, squeezer) || many()) break;
     }
@@ -206,8 +220,9 @@ class Search {
     return std::max(byArea, largest / (1 - 2 * gaps_.border));
   }
 
-  FreeSpace emptySpace(double side) const {
-    return {side, gaps_.between * side, gaps_.border * side, cell_};
+  FreeSpace emptySpace(double side) const { return emptySpace(side, cell_); }
+  FreeSpace emptySpace(double side, double cell) const {
+    return {side, gaps_.between * side, gaps_.border * side, cell};
   }
 
   /// Large shapes first, in an order that differs from time to time.
