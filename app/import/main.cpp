@@ -64,7 +64,7 @@ void limit(int resource, rlim_t value) {
 
 void setLimits(const ImportLimits& limits) {
   // Sanitizers reserve far more addresses than they use.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(CHARTFLOOD_SHADOW_MEMORY)
   limit(RLIMIT_AS, limits.memory);
 #endif
   limit(RLIMIT_CPU, static_cast<rlim_t>(limits.work.count()));
