@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/layering/floors.h"
 #include "tests/layering/source_tree.h"
 
 namespace chartflood {
@@ -16,82 +17,22 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// A folder with sources of its own; folders inside it are rooms of their own.
 struct Room {
   std::string folder;
   Names mayUse;   ///< rooms that its files may include, beside itself
   Names mustNot;  ///< beginnings of headers of others
 };
 
-const Names kGl{"epoxy/", "GL/", "EGL/", "KHR/"};
-const Names kWindow{"GLFW/", "imgui"};
-const Names kCommandLine{"CLI/"};
-const Names kImport{"assimp/"};
-
-Names together(std::initializer_list<Names> lists) {
-  Names all;
-  for (const Names& list : lists) all.insert(all.end(), list.begin(), list.end());
-  return all;
-}
-
-/// Rooms of one floor: none of them includes another. Sub-rooms of a room are floors of their own,
-/// from the lowest up to the room itself, which is its door.
-using Floor = Names;
-
-/// The floors from the lowest up: a room may include what lies on lower floors of its part.
-const std::vector<Floor> kCore{{"core/base"},
-                               {"core/model"},
-                               {"core/gauss", "core/samples"},
-                               {"core/flood"},
-                               {"core/segment/parts"},
-                               {"core/segment/borders"},
-                               {"core/segment/rounds", "core/segment/creases"},
-                               {"core/segment/fast", "core/segment/growth"},
-                               {"core/segment"},
-                               {"core/charts"},
-                               {"core/io/text", "core/param", "core/pack"},
-                               {"core/io/read", "core/io/write"},
-                               {"core/io"},
-                               {"core/session/settings"},
-                               {"core/session/pipeline"},
-                               {"core/session"},
-                               {"core/session/files"}};
-const std::vector<Floor> kRender{{"render/gl"}, {"render/text", "render/scene"}, {"render/passes"}};
-const std::vector<Floor> kHost{{"app/host/script", "app/host/settings", "app/host/insight"},
-                               {"app/host/film", "app/host/files"},
-                               {"app/host/state"},
-                               {"app/host/actions"}};
-const std::vector<Floor> kGui{
-    {"app/gui/widgets"}, {"app/gui/views"}, {"app/gui/panels"}, {"app/gui/tools"}, {"app/gui"}};
-
-Names allOf(const std::vector<Floor>& floors) {
-  Names all;
-  for (const Floor& floor : floors) all.insert(all.end(), floor.begin(), floor.end());
-  return all;
-}
-
-/// Adds the rooms of a part, each with what lies below it and what the part may use of others.
-void addFloors(std::vector<Room>& rooms, const std::vector<Floor>& floors, const Names& others,
-               const Names& mustNot) {
-  Names below = others;
-  for (const Floor& floor : floors) {
-    for (const std::string& folder : floor) rooms.push_back({folder, below, mustNot});
-    below.insert(below.end(), floor.begin(), floor.end());
-  }
-}
-
+/// The rooms of the house, each with what lies below it and what its part may use of others.
 std::vector<Room> rooms() {
-  const Names outside = together({kGl, kWindow, kCommandLine, kImport});
-  const Names core = allOf(kCore), render = allOf(kRender), host = allOf(kHost);
   std::vector<Room> all;
-  addFloors(all, kCore, {}, outside);
-  addFloors(all, kRender, {"core/base", "core/model"}, together({kWindow, kCommandLine, kImport}));
-  addFloors(all, kHost, together({core, render}), outside);
-  addFloors(all, kGui, together({core, render, host}), together({kCommandLine, kImport}));
-  all.push_back({"app/cli", together({core, render, host}), together({kGl, kWindow, kImport})});
-  // A program of its own: what the import library does to it, it does to nothing else.
-  all.push_back({"app/import", core, together({kGl, kWindow, kCommandLine})});
-  all.push_back({"app", together({core, {"app/cli", "app/gui"}}), outside});
+  for (const HousePart& part : house()) {
+    Names below = borrowedBy(part);
+    for (const Floor& floor : part.floors) {
+      for (const RoomInfo& room : floor) all.push_back({room.folder, below, part.forbidden});
+      for (const RoomInfo& room : floor) below.push_back(room.folder);
+    }
+  }
   return all;
 }
 
