@@ -76,6 +76,9 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
   EXPECT_NE(changed.margin, defaults.margin);
   EXPECT_NE(changed.areaShare, defaults.areaShare);
   EXPECT_NE(changed.rngSeed, defaults.rngSeed);
+  EXPECT_NE(changed.bestOf, defaults.bestOf);
+  EXPECT_NE(changed.maxStretch, defaults.maxStretch);
+  EXPECT_NE(changed.keep, defaults.keep);
   EXPECT_NE(changed.maxIterations, defaults.maxIterations);
   EXPECT_NE(changed.patience, defaults.patience);
   EXPECT_NE(changed.detectCycles, defaults.detectCycles);
