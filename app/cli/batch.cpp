@@ -5,9 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <malloc.h>
-#include <sys/resource.h>
-
 #include "app/cli/camera_options.h"
 #include "app/cli/info.h"
 #include "app/cli/picture.h"
@@ -16,6 +13,7 @@
 #include "app/host/files/export_files.h"
 #include "app/host/files/session_view.h"
 #include "core/base/error.h"
+#include "core/base/process_memory.h"
 #include "core/io/write/file_output.h"
 #include "core/io/write/write_labels.h"
 #include "core/io/write/write_report.h"
@@ -125,22 +123,7 @@ FloodLogs neededLogs(const Invocation& call) {
   return last ? FloodLogs::LastRound : FloodLogs::None;
 }
 
-/// Lets every large block go back to the system when it is freed. A run makes each of its arrays
-/// once, so that what the C library would keep for more of them only adds to the peak: a third of
-/// it with a million triangles.
-void returnLargeBlocks() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 1 << 20);
-#endif
-}
-
 }  // namespace
-
-std::size_t peakMemoryBytes() {
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
-}
 
 void checkTargets(const Invocation& call) {
   for (const std::filesystem::path& file : outputFiles(call)) {

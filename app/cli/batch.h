@@ -19,9 +19,6 @@ void runInfo(const Invocation& call);
 /// Finds out before a long computation whether its results can be written. \throws WriteError
 void checkTargets(const Invocation& call);
 
-/// The most memory that the program held so far.
-std::size_t peakMemoryBytes();
-
 /// Writes to standard output. \throws WriteError when it cannot take the text.
 void printOutput(std::string_view text);
 

@@ -11,6 +11,7 @@
 #include "app/cli/run_session.h"
 #include "app/cli/side_by_side.h"
 #include "core/base/error.h"
+#include "core/base/process_memory.h"
 #include "core/io/write/file_output.h"
 #include "core/io/write/write_report.h"
 #include "core/session/pipeline/compared_methods.h"

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/base/log.h"
+#include "core/base/spelling.h"
 #include "core/io/read/read_hints.h"
 #include "core/samples/samples.h"
 #include "core/session/pipeline/run_set.h"
@@ -116,7 +117,7 @@ bool takeSession(Session& session, const Invocation& call) {
   if (!call.seeds.empty()) return false;
   Document document{call.parameters, content.document.seeds, content.document.hints};
   document = withFittingSeeds(content.document, document);
-  const bool again = keepsCharts(call) && !content.moment.seeds.empty();
+  const bool again = keepsCharts(call) && !content.moment.start.seeds.empty();
   if (again) {
     session.restore(document, content.moment);
   } else {

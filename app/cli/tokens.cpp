@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/error.h"
+#include "core/base/spelling.h"
 #include "core/session/settings/parameters.h"
 
 namespace chartflood {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/spelling.h"
 #include "core/io/text/parse_number.h"
 #include "core/session/settings/parameters.h"
 

@@ -31,7 +31,7 @@ class TFlooding final : public FloodRounds {
   }
 
  private:
-  FloodStart present() const override { return {nullptr, 0, plan_.seeds(), plan_.offsets()}; }
+  FloodStart present() const override { return {plan_.seeds(), plan_.offsets(), {}, {}, {}}; }
   void startFlood(std::shared_ptr<FloodRecord> record) override {
     if (!flood_) flood_ = makeFlood(*inputs().floodGraph, plan_.seeds().size());
     flood_->start(plan_.seeds(), plan_.offsets(), options().lookahead, std::move(record));

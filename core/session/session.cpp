@@ -35,7 +35,7 @@ JobQueue::Thread threadFor(Session::Worker worker) {
 class Session::Engine {
  public:
   explicit Engine(Worker worker)
-      : pipeline_({[this](const FloodStart& start) { publishFlood(start); },
+      : pipeline_({[this](const FloodBegun& begun) { publishFlood(begun); },
                    [this](Notice notice) { post(std::move(notice)); }}),
         results_(std::make_shared<const Results>()), queue_(threadFor(worker)) {}
 
@@ -108,7 +108,7 @@ class Session::Engine {
   void setFloodLogs(FloodLogs logs) { pipeline_.setFloodLogs(logs); }
 
   void restore(const Document& document, const FloodMoment& moment) {
-    if (moment.seeds.empty()) return setDocument(document, true);
+    if (moment.start.seeds.empty()) return setDocument(document, true);
     dropSeeds_ = false;
     document_ = document;
     queue_.cancel(JobQueue::Kind::Step);
@@ -242,18 +242,14 @@ class Session::Engine {
   }
 
   /// Makes the log of a flood visible before it begins to grow.
-  void publishFlood(const FloodStart& start) {
+  void publishFlood(const FloodBegun& begun) {
     {
       std::lock_guard lock(mutex_);
       auto next = std::make_shared<Results>(*results_);
-      next->record = start.record;
-      next->seeds.assign(start.seeds.begin(), start.seeds.end());
-      next->offsets.assign(start.offsets.begin(), start.offsets.end());
-      next->normals.assign(start.normals.begin(), start.normals.end());
-      next->creases = start.creases;
-      next->fast = start.fast;
+      next->record = begun.record;
+      next->start = begun.start;
       pipeline_.reportRounds(*next);
-      next->recordIteration = start.iteration;
+      next->recordIteration = begun.iteration;
       next->finished = false;
       ++next->version;
       results_ = std::move(next);

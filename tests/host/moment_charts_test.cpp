@@ -22,7 +22,7 @@ class Moments : public ::testing::Test {
   Moments() {
     results.mesh = buildMesh(makeSample("torus", 120'000));
     results.gaussArea = std::make_shared<const GaussArea>(computeGaussArea(*results.mesh, 45));
-    results.seeds.assign(kCharts, 0);
+    results.start.seeds.assign(kCharts, 0);
   }
   /// Takes the faces in their order, `shift` numbers on.
   std::shared_ptr<const FloodRecord> record(Index shift) const {

@@ -9,10 +9,23 @@
 #include "app/host/state/app_state.h"
 #include "app/host/state/compare_look.h"
 #include "core/base/error.h"
+#include "core/segment/registry.h"
 
 namespace chartflood {
 
 namespace {
+
+/// "MCGIM (A), VSA (B) and t-flooding (C)".
+std::string methodsInOrder() {
+  const std::vector<const char*> ids = comparedMethods();
+  std::string text;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == ids.size() ? " and " : ", ";
+    text += segmenterOf(ids[i]).shortTitle;
+    text += std::string(" (") + static_cast<char>('A' + i) + ")";
+  }
+  return text;
+}
 
 const std::vector<std::string> kSlots = {kCompareSlots.begin(), kCompareSlots.end()};
 
@@ -127,7 +140,8 @@ std::string methodsRefusal(const AppState& state) {
 void addMethods(ActionRegistry& registry) {
   registry.add({.id = "compare-methods",
                 .title = "Compare the three methods",
-                .help = "Cuts the model by MCGIM (A), VSA (B) and t-flooding (C) with the present "
+                .help = "Cuts the model by " + methodsInOrder() +
+                        " with the present "
                         "number of charts, cuts and unwrap, side by side; the live charts stay.",
                 .arguments = {},
                 .refusal = methodsRefusal,

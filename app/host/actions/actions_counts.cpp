@@ -9,6 +9,7 @@
 #include "app/host/state/run_watch.h"
 #include "core/base/error.h"
 #include "core/segment/creases/crease_regions.h"
+#include "core/segment/registry.h"
 
 namespace chartflood {
 
@@ -30,7 +31,7 @@ void countCreases(AppState& state) {
   if (count < 2) throw Refusal("No creases divide this model: its pieces are up to you.");
   Document document = state.document();
   askCharts(document.parameters, static_cast<int>(count));
-  if (document.parameters.method == "t-flooding") document.parameters.start = "creases";
+  if (segmenterOf(document.parameters.method).knowsCreases) document.parameters.start = "creases";
   document.seeds.clear();
   state.playback.follow();
   state.changeDocument(document, "Pieces from creases", "charts", false);

@@ -8,6 +8,7 @@
 #include "app/host/settings/slider_scale.h"
 #include "app/host/state/app_state.h"
 #include "core/base/error.h"
+#include "core/base/spelling.h"
 
 namespace chartflood {
 

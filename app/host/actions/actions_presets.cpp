@@ -8,6 +8,7 @@
 #include "app/host/script/command.h"
 #include "app/host/state/app_state.h"
 #include "core/base/error.h"
+#include "core/base/spelling.h"
 
 namespace chartflood {
 

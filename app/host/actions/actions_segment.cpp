@@ -31,7 +31,7 @@ std::string needsRounds(const AppState& state) {
 
 std::size_t manySteps(const AppState& state) {
   return manyFacesCount(state.preferences.film.many, state.playback.capacity(),
-                        state.results().seeds.size());
+                        state.results().start.seeds.size());
 }
 
 void addStep(ActionRegistry& registry) {

@@ -59,7 +59,8 @@ bool MomentCharts::closedOff(Index chart) const {
 
 void MomentCharts::show(const Results& results, const std::shared_ptr<const FloodRecord>& record,
                         std::size_t step) {
-  go({results.mesh, results.gaussArea, record, nullptr, step, record ? results.seeds.size() : 0});
+  go({results.mesh, results.gaussArea, record, nullptr, step,
+      record ? results.start.seeds.size() : 0});
 }
 
 void MomentCharts::showBorders(const Results& results, std::size_t step) {

@@ -5,6 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/base/spelling.h"
 #include "core/session/settings/parameters.h"
 
 namespace chartflood {

@@ -142,7 +142,7 @@ std::vector<PlacedSeed> AppState::presentSeeds() const {
   if (!current && !document.seeds.empty()) return document.seeds;
   const std::vector<Index> locked = lockedFaces(document.seeds);
   std::vector<PlacedSeed> seeds;
-  for (const Index face : results->seeds) {
+  for (const Index face : results->start.seeds) {
     const bool isLocked = std::find(locked.begin(), locked.end(), face) != locked.end();
     seeds.push_back({face, isLocked});
   }

@@ -30,9 +30,9 @@ void AppState::takeSession(Opening& opening) {
   // Pictures know of charts that were selected or hidden, sessions do not.
   const std::vector<Index> selected = std::exchange(view.render.selectedCharts, {});
   const std::vector<Index> hidden = std::exchange(view.render.hiddenCharts, {});
-  if (selected.size() == 1 && selected[0] < session.charts.seeds.size()) {
+  if (selected.size() == 1 && selected[0] < session.charts.start.seeds.size()) {
     selectedChart = selected[0];
-    view.isolate = hidden.size() + 1 == session.charts.seeds.size();
+    view.isolate = hidden.size() + 1 == session.charts.start.seeds.size();
   }
   if (!view.isolate) view.hiddenCharts = hidden;
   SessionContent content = sessionContent(session, *results_->mesh, results_->checksum);
@@ -43,7 +43,7 @@ void AppState::takeSession(Opening& opening) {
   } else {
     keeper.begin(content.document, opening.sessionFile);
   }
-  if (content.moment.seeds.empty()) {
+  if (content.moment.start.seeds.empty()) {
     session_.setDocument(content.document);
     playback.playOneFlood();
   } else {

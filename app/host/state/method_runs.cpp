@@ -7,6 +7,7 @@
 #include "app/host/state/compare_look.h"
 #include "core/base/error.h"
 #include "core/base/failure.h"
+#include "core/segment/registry.h"
 #include "core/session/pipeline/compared_methods.h"
 
 namespace chartflood {
@@ -24,7 +25,7 @@ void MethodRuns::begin(std::shared_ptr<const Mesh> mesh, const Document& documen
 
 void MethodRuns::beginNext() {
   running_ = document_;
-  running_.parameters = comparedWith(document_.parameters, kComparedMethods[done_.size()]);
+  running_.parameters = comparedWith(document_.parameters, comparedMethods()[done_.size()]);
   session_->setDocument(running_, false);
   session_->resetSeeds();
   session_->step(StepUnit::Converged);
@@ -39,7 +40,7 @@ void MethodRuns::stop() {
 MethodRuns::State MethodRuns::state() const {
   const WorkStatus status = session_->status();
   const char* phase = *status.phase == '\0' ? "Working" : status.phase;
-  return {std::string(kComparedMethods[done_.size()]) + ": " + phase, status.fraction};
+  return {std::string(comparedMethods()[done_.size()]) + ": " + phase, status.fraction};
 }
 
 std::optional<std::vector<MethodRuns::Done>> MethodRuns::update() {
@@ -54,7 +55,7 @@ std::optional<std::vector<MethodRuns::Done>> MethodRuns::update() {
     throw Error("The methods could not be compared: " + notice.text);
   }
   done_.push_back({running_, session_->results()});
-  if (done_.size() < kComparedMethods.size()) {
+  if (done_.size() < comparedMethods().size()) {
     beginNext();
     return std::nullopt;
   }
@@ -75,7 +76,7 @@ StoredResult storedOf(const MethodRuns::Done& done, const CompareLook& look) {
   stored.results = done.results;
   stored.figures = compareFigures(*done.results);
   const std::vector<Index> locked = lockedFaces(done.document.seeds);
-  for (const Index face : done.results->seeds) {
+  for (const Index face : done.results->start.seeds) {
     const auto number = static_cast<Index>(stored.seeds.size());
     const bool stays = std::find(locked.begin(), locked.end(), face) != locked.end();
     stored.seeds.push_back({face, number, false, stays});

@@ -33,7 +33,7 @@ void keepOthers(AppState& state, const RunSet& set) {
     stored.results = run.results;
     stored.figures = compareFigures(*run.results);
     stored.figures.seams = run.seams;
-    for (const Index face : run.moment.seeds) {
+    for (const Index face : run.moment.start.seeds) {
       stored.seeds.push_back({face, static_cast<Index>(stored.seeds.size()), false, false});
     }
     stored.look = {state.view.camera, state.view.render};

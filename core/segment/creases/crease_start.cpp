@@ -145,7 +145,8 @@ class CreaseStart final : public Stepper {
   }
 
   void tellSeeds() const {
-    if (options_.onFlood) options_.onFlood({record_, 0, seeds_, offsets_, {}, options_.rngSeed});
+    if (options_.onFlood)
+      options_.onFlood({record_, 0, {seeds_, offsets_, {}, options_.rngSeed, {}}});
   }
 
   ChartAreas areasOf(std::span<const Index> label) const {

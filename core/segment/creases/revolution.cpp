@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRound = 0.03;            // how far a circle's points may lie off it, in radii
 constexpr double kInCircles = 0.8;         // share of the length of sharp edges
-constexpr double kAcross = 0.2;            // sine of the angle by which a normal may pass the axis
+constexpr double kPastAxis = 0.2;          // sine of the angle by which a normal may pass the axis
 constexpr double kRevolved = 0.9;          // share of the surface
 constexpr std::size_t kFewestCorners = 7;  // fewer are a polygon
 
@@ -119,7 +119,7 @@ bool ringsBetweenCreases(const Mesh& mesh, const GaussArea& gauss) {
   if (around < kInCircles * length) return false;
   double revolved = 0;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
-    if (pastAxis(mesh, t, axis) <= kAcross) revolved += mesh.triangleArea()[t];
+    if (pastAxis(mesh, t, axis) <= kPastAxis) revolved += mesh.triangleArea()[t];
   }
   return revolved >= kRevolved * mesh.surfaceArea();
 }

@@ -128,9 +128,7 @@ class FastFlooding final : public FloodRounds {
   /// What the next round is.
   enum class Next { Coarse, OtherStart, Band };
 
-  FloodStart present() const override {
-    return {nullptr, 0, seedFaces_, plan_.offsets(), {}, {}, fast_};
-  }
+  FloodStart present() const override { return {seedFaces_, plan_.offsets(), {}, {}, fast_}; }
   void startFlood(std::shared_ptr<FloodRecord> record) override {
     seedFaces_.clear();
     for (const Index node : plan_.seeds()) seedFaces_.push_back(coarse_.start[node]);

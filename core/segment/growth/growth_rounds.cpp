@@ -33,7 +33,7 @@ class GrowthRounds final : public FloodRounds {
   }
 
  private:
-  FloodStart present() const override { return {nullptr, 0, start_.seeds, {}, start_.normals}; }
+  FloodStart present() const override { return {start_.seeds, {}, start_.normals, {}, {}}; }
   void startFlood(std::shared_ptr<FloodRecord> record) override {
     method_->start(start_, std::move(record));
   }

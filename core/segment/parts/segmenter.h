@@ -15,6 +15,7 @@
 #include "core/base/progress.h"
 #include "core/model/flood_graph.h"
 #include "core/model/flood_record.h"
+#include "core/model/flood_start.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "core/model/seam_record.h"
@@ -77,16 +78,10 @@ struct SegmentInputs {
 };
 
 /// A flood that is about to begin.
-struct FloodStart {
+struct FloodBegun {
   std::shared_ptr<const FloodRecord> record;  ///< null when none is kept
   std::size_t iteration = 0;                  ///< number of its round
-  std::span<const Index> seeds;
-  std::span<const double> offsets;  ///< one a seed, or none
-  std::span<const glm::dvec3> normals =
-      {};  ///< of methods that grow by normals, one a seed; or none
-  /// Shows charts from creases, made with this generator seed, instead of a flood.
-  std::optional<std::uint32_t> creases = {};
-  std::optional<FastFlood> fast = {};  ///< of the fast search only
+  FloodStart start;
 };
 
 /// What t-flooding floods round after round.
@@ -158,7 +153,7 @@ struct SegmentOptions {
   McgimOptions mcgim;
   bool record = true;  ///< keep a log of the present flood
   /// Told of each flood as it begins, on the thread that drives the stepper.
-  std::function<void(const FloodStart&)> onFlood;
+  std::function<void(const FloodBegun&)> onFlood;
 
   bool isLocked(Index seed) const {
     return std::find(locked.begin(), locked.end(), seed) != locked.end();

@@ -35,12 +35,12 @@ StepOutcome FloodRounds::advance(StepUnit unit, std::size_t count, Progress& pro
 }
 
 std::shared_ptr<const Segmentation> FloodRounds::state() const {
-  const FloodStart start = present();
+  FloodStart start = present();
   auto state = std::make_shared<Segmentation>();
   state->method = id_;
   state->chartCount = start.seeds.size();
   state->requestedCharts = options_.charts;
-  state->seeds.assign(start.seeds.begin(), start.seeds.end());
+  state->seeds = std::move(start.seeds);
   state->iteration = iteration_;
   if (finished() || phase_ == Phase::Refining) {
     state->label = finalLabel_;
@@ -71,10 +71,7 @@ void FloodRounds::restartFlood() {
   stopReason_ = StopReason::NotStopped;
   refiner_.reset();
   if (!options_.onFlood) return;
-  FloodStart start = present();
-  start.record = record_;
-  start.iteration = iteration_;
-  options_.onFlood(start);
+  options_.onFlood({record_, iteration_, present()});
 }
 
 std::shared_ptr<const FloodRecord> FloodRounds::replay(std::size_t iteration, Progress& progress) {
@@ -139,13 +136,13 @@ bool FloodRounds::leaveFlooded(Progress& progress) {
 /// Measures a finished flood, writes it into the history and plans what comes next.
 void FloodRounds::judgeRound() {
   IterationSummary summary = measure();
-  const FloodStart start = present();
+  FloodStart start = present();
   summary.iteration = iteration_ = history_.size();
   summary.movedSeeds = std::exchange(movedSeeds_, 0);
-  summary.seeds.assign(start.seeds.begin(), start.seeds.end());
-  summary.offsets.assign(start.offsets.begin(), start.offsets.end());
-  summary.normals.assign(start.normals.begin(), start.normals.end());
-  if (start.fast) summary.band = start.fast->band;
+  summary.seeds = std::move(start.seeds);
+  summary.offsets = std::move(start.offsets);
+  summary.normals = std::move(start.normals);
+  if (start.fast) summary.band = std::move(start.fast->band);
   history_.push_back(std::move(summary));
   const Judgement judgement = judge();
   stopReason_ = judgement.stop;

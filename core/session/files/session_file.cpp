@@ -38,7 +38,7 @@ SessionFile sessionOf(const SessionModel& model, const Document& document, const
   }
   session.hints = document.hints;
   session.charts = momentOf(results);
-  session.charts.seeds = inputFaces(mesh, session.charts.seeds);
+  session.charts.start.seeds = inputFaces(mesh, session.charts.start.seeds);
   return session;
 }
 
@@ -79,8 +79,8 @@ SessionContent sessionContent(const SessionFile& session, const Mesh& mesh,
   }
   if (changed || lost > 0) return content;
   content.moment = session.charts;
-  for (Index& face : content.moment.seeds) face = meshFace(mesh, face);
-  const auto& faces = content.moment.seeds;
+  for (Index& face : content.moment.start.seeds) face = meshFace(mesh, face);
+  const auto& faces = content.moment.start.seeds;
   if (std::find(faces.begin(), faces.end(), kNone) != faces.end() || !distinct(faces)) {
     content.moment = {};
   }

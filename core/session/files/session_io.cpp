@@ -300,39 +300,41 @@ FloodMoment readCharts(Reader& parent, std::vector<std::string>& warnings) {
   bool usable = true;
   for (const Json& face : reader.part("seeds", true)) {
     usable = usable && isFace(face);
-    if (usable) moment.seeds.push_back(face.get<Index>());
+    if (usable) moment.start.seeds.push_back(face.get<Index>());
   }
   for (const Json& offset : reader.part("offsets", true)) {
     usable = usable && offset.is_number() && std::isfinite(offset.get<double>());
-    if (usable) moment.offsets.push_back(offset.get<double>());
+    if (usable) moment.start.offsets.push_back(offset.get<double>());
   }
   for (const Json& normal : reader.part("normals", true)) {
     usable = usable && isNormal(normal);
     if (!usable) continue;
-    moment.normals.emplace_back(normal[0].get<double>(), normal[1].get<double>(),
-                                normal[2].get<double>());
+    moment.start.normals.emplace_back(normal[0].get<double>(), normal[1].get<double>(),
+                                      normal[2].get<double>());
   }
   moment.taken = reader.count("taken");
   moment.finished = reader.flag("finished");
   if (const Json seed = reader.take("creases"); seed.is_number_unsigned()) {
-    moment.creases = static_cast<std::uint32_t>(seed.get<std::uint64_t>());
+    moment.start.creases = static_cast<std::uint32_t>(seed.get<std::uint64_t>());
   }
   if (const Json json = reader.take("fast"); json.is_object()) {
     Reader fast(json, "charts/fast/", warnings);
-    moment.fast.emplace();
+    moment.start.fast.emplace();
     for (const Json& face : fast.part("starts", true)) {
       usable = usable && isFace(face);
-      if (usable) moment.fast->starts.push_back(face.get<Index>());
+      if (usable) moment.start.fast->starts.push_back(face.get<Index>());
     }
     for (const Json& offset : fast.part("band", true)) {
       usable = usable && offset.is_number() && std::isfinite(offset.get<double>());
-      if (usable) moment.fast->band.push_back(offset.get<double>());
+      if (usable) moment.start.fast->band.push_back(offset.get<double>());
     }
-    const std::size_t band = moment.fast->band.size();
-    usable = usable && (band == 0 || band == moment.seeds.size());
+    const std::size_t band = moment.start.fast->band.size();
+    usable = usable && (band == 0 || band == moment.start.seeds.size());
   }
-  usable = usable && (moment.offsets.empty() || moment.offsets.size() == moment.seeds.size()) &&
-           (moment.normals.empty() || moment.normals.size() == moment.seeds.size());
+  usable =
+      usable &&
+      (moment.start.offsets.empty() || moment.start.offsets.size() == moment.start.seeds.size()) &&
+      (moment.start.normals.empty() || moment.start.normals.size() == moment.start.seeds.size());
   if (usable) return moment;
   parent.unusable("charts");
   return {};
@@ -414,11 +416,12 @@ std::string sessionText(const SessionFile& session, const std::filesystem::path&
       {"seeds", seedsJson(session.seeds)},
       {"hints", hintsJson(session.hints)},
       {"charts",
-       {{"seeds", session.charts.seeds},
-        {"offsets", session.charts.offsets},
-        {"normals", normalsJson(session.charts.normals)},
-        {"creases", session.charts.creases ? Json(*session.charts.creases) : Json(nullptr)},
-        {"fast", fastJson(session.charts.fast)},
+       {{"seeds", session.charts.start.seeds},
+        {"offsets", session.charts.start.offsets},
+        {"normals", normalsJson(session.charts.start.normals)},
+        {"creases",
+         session.charts.start.creases ? Json(*session.charts.start.creases) : Json(nullptr)},
+        {"fast", fastJson(session.charts.start.fast)},
         {"taken", session.charts.taken},
         {"finished", session.charts.finished}}},
       {"view", viewJson(session.view)},

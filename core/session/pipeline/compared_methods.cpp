@@ -1,5 +1,7 @@
 #include "core/session/pipeline/compared_methods.h"
 
+#include "core/segment/registry.h"
+
 namespace chartflood {
 
 Parameters comparedWith(Parameters parameters, const std::string& method) {
@@ -9,7 +11,7 @@ Parameters comparedWith(Parameters parameters, const std::string& method) {
 
 Parameters asLeft(Parameters parameters, const std::string& method) {
   parameters.method = method;
-  if (method != "t-flooding") parameters.refine = "none";
+  if (!segmenterOf(method).refinesByDefault) parameters.refine = "none";
   return parameters;
 }
 

@@ -12,6 +12,7 @@
 
 #include "core/base/index.h"
 #include "core/model/edge_hints.h"
+#include "core/model/flood_start.h"
 #include "core/model/mesh.h"
 #include "core/model/segmentation.h"
 #include "core/session/settings/parameters.h"
@@ -39,14 +40,9 @@ struct Document {
 /// Where the charts of a moment came from. With the document of that moment it is enough to make
 /// the same labels again by one flood, because floods are deterministic.
 struct FloodMoment {
-  std::vector<Index> seeds;         ///< of the present flood; empty: there are no charts
-  std::vector<double> offsets;      ///< of that flood, one a seed or none; steradians
-  std::size_t taken = 0;            ///< faces that the flood has taken
-  bool finished = false;            ///< a stop rule has fired and the borders were finished
-  std::vector<glm::dvec3> normals;  ///< of that flood's charts, one a seed or none
-  /// The charts are from creases, made with this generator seed; see makeCreaseStart().
-  std::optional<std::uint32_t> creases = {};
-  std::optional<FastFlood> fast = {};  ///< the charts are from the fast search
+  FloodStart start;       ///< of the present flood
+  std::size_t taken = 0;  ///< faces that the flood has taken
+  bool finished = false;  ///< a stop rule has fired and the borders were finished
 
   bool operator==(const FloodMoment&) const = default;
 };

@@ -4,6 +4,7 @@
 #include "core/session/pipeline/run_set.h"
 #include "core/session/pipeline/stretch_limit.h"
 
+#include "core/segment/registry.h"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -149,8 +150,8 @@ ResultReport resultReport(const Results& results) {
   ResultReport report;
   report.method = results.parameters.method;
   report.charts = results.segmentation ? results.segmentation->chartCount : 0;
-  if (report.method == "t-flooding" && results.segmentation && !results.creases) {
-    report.search = results.fast ? "fast" : "literal";
+  if (segmenterOf(report.method).knowsFast && results.segmentation && !results.start.creases) {
+    report.search = results.start.fast ? "fast" : "literal";
   }
   report.iterations = results.history.size();
   if (!results.history.empty()) report.bestIteration = results.bestIteration;

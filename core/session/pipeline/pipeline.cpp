@@ -29,9 +29,9 @@ std::string repairsText(const Mesh& mesh) {
 void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds,
                        Progress& progress) {
   timing_ = {.read = readMilliseconds};
-  seeds_.clear();
-  offsets_.clear();
-  normals_.clear();
+  start_.seeds.clear();
+  start_.offsets.clear();
+  start_.normals.clear();
   document_.seeds.clear();
   document_.hints.clear();
   takeMesh(std::move(mesh));
@@ -69,12 +69,12 @@ void Pipeline::glueAnew(Progress& progress) {
   for (Index f = 0; sameFaces && f < mesh_->faceCount(); ++f) {
     sameFaces = old->inputFace(f) == mesh_->inputFace(f);
   }
-  offsets_.clear();
-  normals_.clear();
+  start_.offsets.clear();
+  start_.normals.clear();
   // Other parts want other seeds; those placed by hand stay where faces have the same numbers.
-  seeds_ = seedFaces(document_.seeds);
+  start_.seeds = seedFaces(document_.seeds);
   if (sameFaces) return;
-  seeds_.clear();
+  start_.seeds.clear();
   document_.seeds.clear();
   document_.hints.clear();
   seedsVoid_ = true;
@@ -104,12 +104,12 @@ void Pipeline::makeGraph(Progress& progress) {
 void Pipeline::dropNewestSeeds(std::size_t wanted) {
   const std::vector<Index> locked = lockedFaces(document_.seeds);
   std::vector<PlacedSeed> seeds;
-  for (const Index face : seeds_) {
+  for (const Index face : start_.seeds) {
     const bool stays = std::find(locked.begin(), locked.end(), face) != locked.end();
     seeds.push_back({face, stays});
   }
   dropNewestUnlocked(seeds, wanted);
-  seeds_ = seedFaces(seeds);
+  start_.seeds = seedFaces(seeds);
 }
 
 void Pipeline::reviseSeeds(const Document& before) {
@@ -119,25 +119,26 @@ void Pipeline::reviseSeeds(const Document& before) {
   // are.
   // Seeds that were dropped because of fewer charts leave the others where the rounds took them.
   const Document followed = withFittingSeeds(before, {now, before.seeds, before.hints});
-  const std::vector<Index> old = seeds_;
-  if (document_.seeds != before.seeds && document_.seeds != followed.seeds) seeds_ = placed;
+  const std::vector<Index> old = start_.seeds;
+  if (document_.seeds != before.seeds && document_.seeds != followed.seeds) start_.seeds = placed;
   // What one method's rounds arrived at is no beginning for another's.
   if (now.method != before.parameters.method) {
-    seeds_ = placed;
-    offsets_.clear();
+    start_.seeds = placed;
+    start_.offsets.clear();
   }
-  if (now.rngSeed != before.parameters.rngSeed) seeds_ = placed;
+  if (now.rngSeed != before.parameters.rngSeed) start_.seeds = placed;
   if (chartsInForce(now, features_) != chartsInForce(before.parameters, features_)) {
     dropNewestSeeds(effectiveChartCount(*mesh_, wantedCharts()));
-    offsets_.clear();
+    start_.offsets.clear();
     toldCharts_ = 0;
   }
   // Offsets are Gauss areas: they mean nothing once these are measured differently.
-  if (now.sharpAngle != before.parameters.sharpAngle || seeds_.size() != offsets_.size()) {
-    offsets_.clear();
+  if (now.sharpAngle != before.parameters.sharpAngle ||
+      start_.seeds.size() != start_.offsets.size()) {
+    start_.offsets.clear();
   }
   // Normals belong to charts grown from just these seeds.
-  if (seeds_ != old) normals_.clear();
+  if (start_.seeds != old) start_.normals.clear();
 }
 
 bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
@@ -152,7 +153,8 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   // The end of a drag that did not flood gives the same values once more and wants its charts.
   const bool overdue = live && stale();
   if (!mesh_ || (!changed && before.seeds == document.seeds && !overdue)) return false;
-  const bool samePlaces = before.seeds == document.seeds || seedFaces(document.seeds) == seeds_;
+  const bool samePlaces =
+      before.seeds == document.seeds || seedFaces(document.seeds) == start_.seeds;
   // What comes after the labels leaves them as they are.
   if (stage >= Stage::Cut && before.seeds == document.seeds && !overdue) return false;
   if (stage >= Stage::Cut && samePlaces && stepper_) {  // nor do locks
@@ -165,11 +167,12 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   if (finished() && onlyRounds) return false;
   const bool hadCharts = stepper_ != nullptr || segmentation_ != nullptr;
   // Another method begins from its own seeds: where charts were finished, its own are made.
-  const bool otherMethod = finished() && (document.parameters.method != before.parameters.method ||
-                                          (document.parameters.start != before.parameters.start &&
-                                           creases_.has_value() != wantsCreases().has_value()) ||
-                                          (document.parameters.search != before.parameters.search &&
-                                           fast_.has_value() != wantsFast().has_value()));
+  const bool otherMethod =
+      finished() && (document.parameters.method != before.parameters.method ||
+                     (document.parameters.start != before.parameters.start &&
+                      start_.creases.has_value() != wantsCreases().has_value()) ||
+                     (document.parameters.search != before.parameters.search &&
+                      start_.fast.has_value() != wantsFast().has_value()));
   const bool keepFinal = finished() && samePlaces && stage >= Stage::Iterations;
   reviseSeeds(before);
   stepper_.reset();
@@ -178,15 +181,15 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   if (changed && stage <= Stage::Graph) makeGraph(progress);
   if (!hadCharts || !live) return true;
   // Where only later stages changed, the finished charts are finished again in the new way.
-  const std::optional<std::uint32_t> creases = keepFinal ? creases_ : wantsCreases();
+  const std::optional<std::uint32_t> creases = keepFinal ? start_.creases : wantsCreases();
   // Middles of charts from creases are no beginning for a flood.
-  if (creases != creases_) {
-    seeds_ = seedFaces(document.seeds);
-    offsets_.clear();
-    normals_.clear();
+  if (creases != start_.creases) {
+    start_.seeds = seedFaces(document.seeds);
+    start_.offsets.clear();
+    start_.normals.clear();
   }
   makeStepper(keepFinal ? 1 : static_cast<std::size_t>(document.parameters.maxIterations), creases,
-              keepFinal ? fast_ : wantsFast());
+              keepFinal ? start_.fast : wantsFast());
   const Stopwatch stopwatch;
   const bool toTheEnd = keepFinal || otherMethod;
   stepper_->advance(toTheEnd ? StepUnit::Converged : StepUnit::Flood, 1, progress);
@@ -196,8 +199,7 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
 }
 
 bool Pipeline::standsAt(const FloodMoment& moment) const {
-  return stepper_ && stepper_->record() && seeds_ == moment.seeds && offsets_ == moment.offsets &&
-         normals_ == moment.normals && creases_ == moment.creases && fast_ == moment.fast &&
+  return stepper_ && stepper_->record() && start_ == moment.start &&
          finished() == moment.finished && stepper_->record()->size() == moment.taken;
 }
 
@@ -223,11 +225,9 @@ void Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
     seedRuns_.reset();
     return takeOver(*found);
   }
-  seeds_ = moment.seeds;
-  offsets_ = moment.offsets;
-  normals_ = moment.normals;
+  start_ = moment.start;
   makeStepper(moment.finished ? 1 : static_cast<std::size_t>(document.parameters.maxIterations),
-              moment.creases, moment.fast);
+              moment.start.creases, moment.start.fast);
   const Stopwatch stopwatch;
   if (moment.finished) {
     stepper_->advance(StepUnit::Converged, 1, progress);

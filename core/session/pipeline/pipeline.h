@@ -26,7 +26,7 @@ class Pipeline {
  public:
   /// Told when something new can be shown.
   struct Listener {
-    std::function<void(const FloodStart&)> onFlood;
+    std::function<void(const FloodBegun&)> onFlood;
     std::function<void(Notice)> onNotice;
   };
   explicit Pipeline(Listener listener) : listener_(std::move(listener)) {}
@@ -140,7 +140,7 @@ class Pipeline {
                    const std::optional<FastFlood>& fast);
   /// Begins again where the stepper stands, so that the next rounds know of changed locks.
   void takeLocks(Progress& progress);
-  void noteFlood(const FloodStart& start);
+  void noteFlood(const FloodBegun& begun);
   /// Keeps the log of the last flood where that is done.
   void keepFlood();
   void tell(Notice::Kind kind, std::string text) const;
@@ -151,7 +151,7 @@ class Pipeline {
 
   Listener listener_;
   /// What the stepper tells of floods; it goes where the stepper goes.
-  std::shared_ptr<std::function<void(const FloodStart&)>> onFlood_;
+  std::shared_ptr<std::function<void(const FloodBegun&)>> onFlood_;
   Document document_;
   std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const GaussArea> gauss_;
@@ -159,15 +159,11 @@ class Pipeline {
   std::unique_ptr<Stepper> stepper_;
   std::shared_ptr<const Segmentation> segmentation_;  ///< last one measured
   std::shared_ptr<const ChartStats> stats_;           ///< of segmentation_
-  std::vector<Index> seeds_;         ///< of the last flood, to go on from; empty: place anew
-  std::vector<double> offsets_;      ///< of the last flood; as many as seeds, or none
-  std::vector<glm::dvec3> normals_;  ///< of the last flood; as many as seeds, or none
+  FloodStart start_;           ///< of the last flood, to go on from; without seeds: place anew
   Flat flat_;                  ///< what is being made; parts are null from the first stale one on
   Flat shownFlat_;             ///< the last complete one
   bool unwrapAsked_ = false;   ///< of the present charts
   bool locksChanged_ = false;  ///< since the stepper was made
-  std::optional<std::uint32_t> creases_;      ///< the stepper's charts are from creases
-  std::optional<FastFlood> fast_;             ///< of the last flood
   std::shared_ptr<const RunSet> seedRuns_;    ///< of the present charts
   std::shared_ptr<const RunSet> chartRuns_;   ///< of the mesh
   std::unique_ptr<Pipeline> found_;           ///< the chosen one of these, until something changes

@@ -8,6 +8,7 @@
 #include "core/segment/fast/fast_flooding.h"
 #include "core/segment/parts/part_shares.h"
 #include "core/segment/parts/seeds.h"
+#include "core/segment/registry.h"
 #include "core/session/pipeline/pipeline.h"
 
 namespace chartflood {
@@ -20,8 +21,9 @@ void Pipeline::tellChartCount() {
   const std::size_t wanted = wantedCharts();
   const std::size_t locked = lockedFaces(document_.seeds).size();
   // Methods that come to their charts one by one begin with fewer seeds.
-  const std::size_t seeds =
-      document_.parameters.method == "t-flooding" ? seeds_.size() : std::max(locked, seeds_.size());
+  const std::size_t seeds = segmenterOf(document_.parameters.method).beginsWithAllSeeds
+                                ? start_.seeds.size()
+                                : std::max(locked, start_.seeds.size());
   const std::size_t count = effectiveChartCount(*mesh_, wanted, seeds);
   const bool byFeatures = wanted < static_cast<std::size_t>(document_.parameters.charts);
   if ((count == wanted && !byFeatures) || count == toldCharts_) return;
@@ -74,7 +76,7 @@ void Pipeline::tellTooSmall() {
 }
 
 void Pipeline::tellOutcome() {
-  if (creases_) return tell(Notice::Kind::Info, "Charts begin from the model's creases.");
+  if (start_.creases) return tell(Notice::Kind::Info, "Charts begin from the model's creases.");
   const auto rounds = std::to_string(stepper_->history().size());
   const auto kept =
       "round " + std::to_string(stepper_->state()->iteration + 1) + " of " + rounds + " is kept.";
@@ -86,10 +88,10 @@ void Pipeline::tellOutcome() {
   case StopReason::MaxIterations:
     return tell(Notice::Kind::Info, "Stopped after the most iterations allowed; " + kept);
   case StopReason::NoImprovement:
-    if (document_.parameters.method != "t-flooding") {
+    if (!segmenterOf(document_.parameters.method).balances) {
       return tell(Notice::Kind::Info, "Stopped: more rounds bring no better fit; " + kept);
     }
-    if (fast_) {
+    if (start_.fast) {
       return tell(Notice::Kind::Info,
                   "Stopped: more floods around the seams bring no better balance; " + kept);
     }

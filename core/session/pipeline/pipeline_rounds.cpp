@@ -40,7 +40,8 @@ bool Pipeline::finished() const { return stepper_ != nullptr && stepper_->finish
 
 void Pipeline::takeLocks(Progress& progress) {
   const std::size_t taken = stepper_->record() ? stepper_->record()->size() : mesh_->faceCount();
-  makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations), wantsCreases(), fast_);
+  makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations), wantsCreases(),
+              start_.fast);
   if (taken > 0) stepper_->advance(StepUnit::Face, taken, progress);
   keepFlood();
 }
@@ -48,7 +49,7 @@ void Pipeline::takeLocks(Progress& progress) {
 std::optional<std::uint32_t> Pipeline::wantsCreases() const {
   const Parameters& p = document_.parameters;
   const auto suits = [&] { return suitsCreaseStart({mesh_, gauss_, graph_}, wantedCharts()); };
-  const bool wanted = p.method == "t-flooding" && document_.seeds.empty() &&
+  const bool wanted = segmenterOf(p.method).knowsCreases && document_.seeds.empty() &&
                       (p.start == "creases" || (p.start == "auto" && suits()));
   return wanted ? std::optional(static_cast<std::uint32_t>(p.rngSeed)) : std::nullopt;
 }
@@ -57,7 +58,7 @@ std::optional<FastFlood> Pipeline::wantsFast() const {
   const Parameters& p = document_.parameters;
   const bool wanted =
       p.search == "fast" || (p.search == "auto" && mesh_->faceCount() > kMostLiteralFaces);
-  const bool fits = p.method == "t-flooding" && wanted && !wantsCreases();
+  const bool fits = segmenterOf(p.method).knowsFast && wanted && !wantsCreases();
   return fits ? std::optional(FastFlood{}) : std::nullopt;
 }
 
@@ -70,11 +71,11 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   const Parameters& p = document_.parameters;
   SegmentOptions options;
   options.charts = wantedCharts();
-  options.seeds = seeds_.empty() ? seedFaces(document_.seeds) : seeds_;
+  options.seeds = start_.seeds.empty() ? seedFaces(document_.seeds) : start_.seeds;
   options.locked = lockedFaces(document_.seeds);
   locksChanged_ = false;
-  options.offsets = offsets_;
-  options.normals = normals_;
+  options.offsets = start_.offsets;
+  options.normals = start_.normals;
   options.rngSeed = creases.value_or(static_cast<std::uint32_t>(p.rngSeed));
   options.creasesFirst = p.start == "creases";
   if (fast) {
@@ -96,17 +97,17 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   options.vsa = {vsaSeeding(p.vsaSeeding), p.vsaTeleport};
   options.mcgim = {p.mcgimLambda, p.mcgimNormals == "running", p.mcgimDisks};
   seedRuns_.reset();
-  onFlood_ = std::make_shared<std::function<void(const FloodStart&)>>(
-      [this](const FloodStart& start) { noteFlood(start); });
-  options.onFlood = [told = onFlood_](const FloodStart& start) { (*told)(start); };
+  onFlood_ = std::make_shared<std::function<void(const FloodBegun&)>>(
+      [this](const FloodBegun& begun) { noteFlood(begun); });
+  options.onFlood = [told = onFlood_](const FloodBegun& begun) { (*told)(begun); };
   stepper_.reset();
   flood_.reset();
   floods_.clear();
   roundsSeen_ = 0;
   const SegmentInputs inputs{mesh_, gauss_, graph_};
-  creases_ = creases;
+  start_.creases = creases;
   stepper_ =
-      creases ? makeCreaseStart(inputs, options) : findSegmenter(p.method)->make(inputs, options);
+      creases ? makeCreaseStart(inputs, options) : segmenterOf(p.method).make(inputs, options);
   timing_.segment = 0;
   tellChartCount();
 }
@@ -122,15 +123,12 @@ void Pipeline::keepFlood() {
   if (logs_ == FloodLogs::EveryRound) floods_.keep(round, flood_, stepper_->bestIteration());
 }
 
-void Pipeline::noteFlood(const FloodStart& start) {
+void Pipeline::noteFlood(const FloodBegun& begun) {
   keepFlood();
-  flood_ = start.record;
-  floodRound_ = start.iteration;
-  seeds_.assign(start.seeds.begin(), start.seeds.end());
-  offsets_.assign(start.offsets.begin(), start.offsets.end());
-  normals_.assign(start.normals.begin(), start.normals.end());
-  fast_ = start.fast;
-  listener_.onFlood(start);
+  flood_ = begun.record;
+  floodRound_ = begun.iteration;
+  start_ = begun.start;
+  listener_.onFlood(begun);
 }
 
 StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress) {
@@ -157,9 +155,9 @@ void Pipeline::restartFlood() {
 }
 
 void Pipeline::resetSeeds() {
-  seeds_.clear();
-  offsets_.clear();
-  normals_.clear();
+  start_.seeds.clear();
+  start_.offsets.clear();
+  start_.normals.clear();
   if (stepper_) makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
 }
 

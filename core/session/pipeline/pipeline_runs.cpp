@@ -39,7 +39,7 @@ void measureStretch(const Unwrap& unwrap, const ChartStats& stats, Run& run) {
 
 std::unique_ptr<Pipeline> Pipeline::runApart(const Parameters& parameters, const Worth& worth,
                                              Progress& progress) const {
-  auto apart = std::make_unique<Pipeline>(Listener{[](const FloodStart&) {}, [](const Notice&) {}});
+  auto apart = std::make_unique<Pipeline>(Listener{[](const FloodBegun&) {}, [](const Notice&) {}});
   apart->document_ = document_;
   apart->document_.parameters = parameters;
   apart->logs_ = logs_;
@@ -89,17 +89,13 @@ Run Pipeline::asRun(bool withResults) const {
     }
   }
   if (flat_.unwrap) measureStretch(*flat_.unwrap, *stats_, run);
-  run.moment = {seeds_, offsets_, mesh_->faceCount(), true, normals_, creases_, fast_};
+  run.moment = {start_, mesh_->faceCount(), true};
   if (!withResults) return run;
   auto results = std::make_shared<Results>();
   report(*results);
   results->record = stepper_->record();
   results->recordIteration = stepper_->bestIteration();
-  results->seeds = seeds_;
-  results->offsets = offsets_;
-  results->normals = normals_;
-  results->creases = creases_;
-  results->fast = fast_;
+  results->start = start_;
   run.results = std::move(results);
   return run;
 }
@@ -107,20 +103,14 @@ Run Pipeline::asRun(bool withResults) const {
 void Pipeline::takeOver(Pipeline& other) {
   stepper_ = std::move(other.stepper_);
   onFlood_ = std::move(other.onFlood_);
-  *onFlood_ = [this](const FloodStart& start) { noteFlood(start); };
+  *onFlood_ = [this](const FloodBegun& begun) { noteFlood(begun); };
   segmentation_ = std::move(other.segmentation_);
   stats_ = std::move(other.stats_);
   flat_ = std::move(other.flat_);
   flat_.parameters = document_.parameters;
   timing_ = other.timing_;
-  creases_ = other.creases_;
-  const std::optional<FastFlood> fast = std::move(other.fast_);
   locksChanged_ = false;
-  const std::vector<Index> seeds = std::move(other.seeds_);
-  const std::vector<double> offsets = std::move(other.offsets_);
-  const std::vector<glm::dvec3> normals = std::move(other.normals_);
-  noteFlood(
-      {stepper_->record(), stepper_->bestIteration(), seeds, offsets, normals, creases_, fast});
+  noteFlood({stepper_->record(), stepper_->bestIteration(), std::move(other.start_)});
 }
 
 bool Pipeline::triesSeeds() const {

@@ -5,11 +5,7 @@ namespace chartflood {
 FloodMoment momentOf(const Results& results) {
   FloodMoment moment;
   if (results.stale || !results.record) return moment;
-  moment.seeds = results.seeds;
-  moment.offsets = results.offsets;
-  moment.normals = results.normals;
-  moment.creases = results.creases;
-  moment.fast = results.fast;
+  moment.start = results.start;
   moment.taken = results.record->size();
   moment.finished = results.finished;
   return moment;

@@ -51,12 +51,8 @@ struct Results {
   bool flat = false;
   /// The flood under way or last done; grows while the worker floods.
   std::shared_ptr<const FloodRecord> record;
-  std::size_t recordIteration = 0;       ///< round that `record` belongs to
-  std::vector<Index> seeds;              ///< of the round of `record`
-  std::vector<double> offsets;           ///< of the round of `record`, one a seed or none
-  std::vector<glm::dvec3> normals;       ///< of the round of `record`, one a seed or none
-  std::optional<std::uint32_t> creases;  ///< as in FloodMoment
-  std::optional<FastFlood> fast;         ///< as in FloodMoment
+  std::size_t recordIteration = 0;  ///< round that `record` belongs to
+  FloodStart start;                 ///< of the round of `record`
   /// Steps of the refinement from the flooded labels to the final ones; null when there was none.
   std::shared_ptr<const SeamRecord> seamRecord;
   std::vector<IterationSummary> history;

@@ -15,7 +15,7 @@ constexpr double kMuchTheSame = 1.25;
 std::size_t shortestBalanced(const std::vector<Run>& runs) {
   // Charts from creases are uneven as the parts of the model are.
   const auto spreadOf = [](const Run& run) {
-    return run.moment.creases ? 0 : run.spread.value_or(0);
+    return run.moment.start.creases ? 0 : run.spread.value_or(0);
   };
   double least = std::numeric_limits<double>::infinity();
   for (const Run& run : runs) least = std::min(least, spreadOf(run));

@@ -1,8 +1,21 @@
 // Rows of the parameter table: the methods and what is their own.
 
+#include "core/segment/registry.h"
 #include "core/session/settings/parameter_table.h"
 
 namespace chartflood {
+
+namespace {
+
+std::vector<ParameterChoice> methodChoices() {
+  std::vector<ParameterChoice> choices;
+  for (const Segmenter& segmenter : segmenterTable()) {
+    choices.push_back({segmenter.id, segmenter.title});
+  }
+  return choices;
+}
+
+}  // namespace
 
 std::vector<ParameterInfo> methodRows() {
   return {
@@ -14,9 +27,7 @@ std::vector<ParameterInfo> methodRows() {
        .group = "Method",
        .help = "How the pieces are found.",
        .source = "3",
-       .choices = {{"t-flooding", "T-flooding"},
-                   {"vsa", "Variational shape approximation"},
-                   {"mcgim", "Multi-chart geometry images"}}},
+       .choices = methodChoices()},
       {.id = "vsa-seeding",
        .label = "Coming to pieces",
        .symbol = "",

@@ -10,8 +10,10 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/base/spelling.h"
 #include "core/io/text/parse_number.h"
 #include "core/model/build_mesh.h"
+#include "core/segment/registry.h"
 
 namespace chartflood {
 
@@ -201,10 +203,9 @@ std::string whyUnused(const Parameters& values, const ParameterInfo& info) {
   const bool ofCuts = id == "balance-weight" || id == "crease-weight";
   if (ofCuts && values.refine != "cuts") return "Only for shortest borders.";
   if (id == "clean-up" && values.refine != "moves") return "Only for tidied borders.";
-  if (id == "detect-cycles" && values.method == "vsa") {
-    return "Variational shape approximation stops where it fits no better.";
-  }
-  const bool balances = values.method == "t-flooding" && values.offsets;
+  const Segmenter& segmenter = segmenterOf(values.method);
+  if (id == "detect-cycles" && *segmenter.noCycles != '\0') return segmenter.noCycles;
+  const bool balances = segmenter.balances && values.offsets;
   if (id == "detect-cycles" && balances && values.settle > 0) {
     return "Seeds that return are no end while pieces settle: set Settle to 0.";
   }

@@ -171,7 +171,4 @@ const Preset* findPreset(std::string_view id);
 /// and what is the model's (weld) stay as in `base` unless the preset names them.
 Parameters applyPreset(const Parameters& base, const Preset& preset);
 
-/// The candidate closest to `word` in edits, or "" when none is near.
-std::string nearestSpelling(std::string_view word, std::span<const std::string> candidates);
-
 }  // namespace chartflood

@@ -83,9 +83,9 @@ TEST(CreaseStart, SeedsAreOfTheChartsAndToldOf) {
   SegmentOptions options;
   options.charts = 20;
   std::vector<Index> told;
-  options.onFlood = [&](const FloodStart& start) {
-    EXPECT_EQ(start.creases, std::optional(options.rngSeed));
-    told.assign(start.seeds.begin(), start.seeds.end());
+  options.onFlood = [&](const FloodBegun& begun) {
+    EXPECT_EQ(begun.start.creases, std::optional(options.rngSeed));
+    told = begun.start.seeds;
   };
   const auto stepper = makeCreaseStart(in, options);
   Progress progress;

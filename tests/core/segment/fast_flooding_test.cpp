@@ -327,22 +327,15 @@ TEST_P(FastOn, GoesBackToAnyRoundAndOnFromThere) {
 TEST_P(FastOn, TheSameLabelsComeFromSeedsAndOffsetsAlone) {
   const auto stepper = toTheEnd(in_, fastOptions(8));
   FloodStart last;
-  std::vector<Index> seeds;
-  std::vector<double> offsets;
-  FastFlood fast;
   SegmentOptions options = fastOptions(8);
-  options.onFlood = [&](const FloodStart& start) {
-    seeds.assign(start.seeds.begin(), start.seeds.end());
-    offsets.assign(start.offsets.begin(), start.offsets.end());
-    fast = *start.fast;
-  };
+  options.onFlood = [&](const FloodBegun& begun) { last = begun.start; };
   const auto told = toTheEnd(in_, options);
   ASSERT_EQ(told->state()->label, stepper->state()->label);
-  EXPECT_EQ(fast.band.size(), 8u);
+  EXPECT_EQ(last.fast->band.size(), 8u);
   SegmentOptions again = fastOptions(8);
-  again.seeds = seeds;
-  again.offsets = offsets;
-  again.fast = fast;
+  again.seeds = last.seeds;
+  again.offsets = last.offsets;
+  again.fast = *last.fast;
   again.maxIterations = 1;
   EXPECT_EQ(toTheEnd(in_, again)->state()->label, stepper->state()->label);
 }
@@ -352,8 +345,8 @@ TEST_P(FastOn, LockedSeedsStayAndGivenOnesBegin) {
   options.seeds = {11, 12, 2000};
   options.locked = {12, 2000};
   std::vector<Index> first;
-  options.onFlood = [&](const FloodStart& start) {
-    if (first.empty()) first.assign(start.seeds.begin(), start.seeds.end());
+  options.onFlood = [&](const FloodBegun& begun) {
+    if (first.empty()) first = begun.start.seeds;
   };
   const auto stepper = toTheEnd(in_, options);
   const auto state = stepper->state();

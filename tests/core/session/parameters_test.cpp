@@ -1,5 +1,6 @@
 // The parameter table: completeness, reading and refusing values, presets, spelling.
 
+#include "core/base/spelling.h"
 #include "core/session/settings/parameters.h"
 
 #include <gmock/gmock.h>

@@ -39,7 +39,7 @@ class Restore : public testing::TestWithParam<std::tuple<Session::Worker, const 
     const auto after = session_.results();
     EXPECT_EQ(after->segmentation->label, before->segmentation->label);
     EXPECT_EQ(after->segmentation->refined, before->segmentation->refined);
-    EXPECT_EQ(after->seeds, before->seeds);
+    EXPECT_EQ(after->start.seeds, before->start.seeds);
     EXPECT_EQ(after->record->size(), before->record->size());
     EXPECT_EQ(momentOf(*after), moment);
     EXPECT_EQ(session_.document(), document);
@@ -65,7 +65,7 @@ TEST_P(Restore, TheFirstFlood) {
 TEST_P(Restore, ALaterRoundWithItsOffsets) {
   step(StepUnit::Flood, 7);
   bool waits = false;
-  for (const double offset : session_.results()->offsets) waits = waits || offset != 0;
+  for (const double offset : session_.results()->start.offsets) waits = waits || offset != 0;
   EXPECT_TRUE(waits);
   expectSameAfter([](Document& d) { d.parameters.sharpAngle = 20; });
 }
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Workers, RestoreFast,
                          testing::Values(std::tuple(Session::Worker::Inline, "fast")));
 
 TEST_P(RestoreFast, ARoundAroundTheSeams) {
-  while (momentOf(*session_.results()).fast.value_or(FastFlood{}).band.empty()) {
+  while (momentOf(*session_.results()).start.fast.value_or(FastFlood{}).band.empty()) {
     step(StepUnit::Flood);
     ASSERT_FALSE(session_.results()->finished);
   }
@@ -150,12 +150,13 @@ TEST_P(RestoreFast, ARoundAroundTheSeams) {
   // A lock begins again where the flood stands.
   const auto before = session_.results();
   Document locked = session_.document();
-  for (const Index face : before->seeds) locked.seeds.push_back({face, face == before->seeds[3]});
+  for (const Index face : before->start.seeds)
+    locked.seeds.push_back({face, face == before->start.seeds[3]});
   session_.setDocument(locked);
   session_.waitIdle();
   step(StepUnit::Face, 1);
   EXPECT_EQ(session_.results()->record->size(), before->record->size() + 1);
-  EXPECT_EQ(session_.results()->fast, before->fast);
+  EXPECT_EQ(session_.results()->start.fast, before->start.fast);
 }
 
 TEST_P(Restore, WithoutChartsTheDocumentAloneIsTaken) {
@@ -174,7 +175,7 @@ TEST_P(Restore, StaleChartsHaveNoMoment) {
   document.parameters.charts = 9;
   session_.setDocument(document, false);
   session_.waitIdle();
-  EXPECT_TRUE(momentOf(*session_.results()).seeds.empty());
+  EXPECT_TRUE(momentOf(*session_.results()).start.seeds.empty());
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST_F(Runs, TheBestSeedIsTheSameForAnyNumberOfThreadsAndComesBack) {
   other.step(StepUnit::Converged);
   EXPECT_EQ(other.results()->segmentation->label, one->segmentation->label);
   const FloodMoment moment = momentOf(*one);
-  EXPECT_TRUE(moment.creases.has_value());
+  EXPECT_TRUE(moment.start.creases.has_value());
   session_.resetSeeds();
   session_.restore(withSeeds(3), moment);
   EXPECT_EQ(session_.results()->segmentation->label, one->segmentation->label);

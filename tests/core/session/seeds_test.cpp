@@ -71,7 +71,7 @@ class PlacedSeeds : public testing::Test {
   /// The present seeds, with locks on some.
   Seeds presentWithLocks(std::vector<std::size_t> locked) {
     Seeds seeds;
-    for (const Index face : session_.results()->seeds) seeds.push_back({face});
+    for (const Index face : session_.results()->start.seeds) seeds.push_back({face});
     for (const std::size_t i : locked) seeds[i].locked = true;
     return seeds;
   }
@@ -109,16 +109,17 @@ TEST_F(PlacedSeeds, UnlockedOnesAreOnlyWhereTheRoundsBegin) {
 TEST_F(PlacedSeeds, FewerChartsKeepLockedSeeds) {
   open("rocket", 5000);
   after(StepUnit::Flood);
-  const std::vector<Index> all = session_.results()->seeds;
+  const std::vector<Index> all = session_.results()->start.seeds;
   place(presentWithLocks({18, 19}));
   Document document = session_.document();
   document.parameters.charts = 5;
   session_.setDocument(withFittingSeeds(session_.document(), document));
-  EXPECT_THAT(session_.results()->seeds, ElementsAre(all[0], all[1], all[2], all[18], all[19]));
+  EXPECT_THAT(session_.results()->start.seeds,
+              ElementsAre(all[0], all[1], all[2], all[18], all[19]));
   document = session_.document();
   document.parameters.charts = 1;
   session_.setDocument(withFittingSeeds(session_.document(), document));
-  EXPECT_THAT(session_.results()->seeds, ElementsAre(all[18], all[19]));
+  EXPECT_THAT(session_.results()->start.seeds, ElementsAre(all[18], all[19]));
   bool said = false;
   for (const Notice& notice : session_.takeNotices()) {
     said = said || notice.text == "2 seeds are locked, so K was raised to 2.";
@@ -130,12 +131,12 @@ TEST_F(PlacedSeeds, FewerChartsLeaveMovedSeedsWhereTheRoundsTookThem) {
   open("rocket", 5000);
   after(StepUnit::Flood);
   place(presentWithLocks({}));
-  const std::vector<Index> moved = after(StepUnit::Flood, 6)->seeds;
+  const std::vector<Index> moved = after(StepUnit::Flood, 6)->start.seeds;
   Document document = session_.document();
   document.parameters.charts = 12;
   session_.setDocument(withFittingSeeds(session_.document(), document));
   const std::vector<Index> left(moved.begin(), moved.begin() + 12);
-  EXPECT_EQ(session_.results()->seeds, left);
+  EXPECT_EQ(session_.results()->start.seeds, left);
 }
 
 TEST_F(PlacedSeeds, LockingChangesNothingThatIsShown) {
@@ -157,7 +158,7 @@ TEST_F(PlacedSeeds, LaterLocksHoldFromTheNextRoundOn) {
   const auto before = after(StepUnit::Flood, 3);
   const std::vector<Index> label = before->segmentation->label;
   place(presentWithLocks({0, 1, 2, 3, 4, 5, 6, 7}));
-  const std::vector<Index> locked(before->seeds.begin(), before->seeds.begin() + 8);
+  const std::vector<Index> locked(before->start.seeds.begin(), before->start.seeds.begin() + 8);
   const auto next = after(StepUnit::Flood, 4);
   for (const IterationSummary& round : next->history) {
     EXPECT_TRUE(std::equal(locked.begin(), locked.end(), round.seeds.begin()));
@@ -171,14 +172,14 @@ TEST_F(PlacedSeeds, AMovedSeedLeavesTheOthers) {
   after(StepUnit::Flood, 4);
   const auto before = session_.results();
   Seeds seeds = presentWithLocks({});
-  const Index away = before->seeds[2] == 7 ? 8 : 7;
+  const Index away = before->start.seeds[2] == 7 ? 8 : 7;
   seeds[2].face = away;
   place(seeds);
   const auto results = session_.results();
-  std::vector<Index> expected = before->seeds;
+  std::vector<Index> expected = before->start.seeds;
   expected[2] = away;
-  EXPECT_EQ(results->seeds, expected);
-  EXPECT_EQ(results->offsets, before->offsets) << "the charts wait as they did";
+  EXPECT_EQ(results->start.seeds, expected);
+  EXPECT_EQ(results->start.offsets, before->start.offsets) << "the charts wait as they did";
   EXPECT_EQ(results->segmentation->label[away], 2u);
 }
 

@@ -45,7 +45,7 @@ class SessionFiles : public testing::Test {
     session.parameters.refine = "none";
     session.parameters.offsets = false;
     session.seeds = {{1, true}, {0, false}};
-    session.charts = {{1, 0}, {0.25, 1.0 / 3}, 2, true, {{0, 0, 1}, {0.6, 0, -0.8}}};
+    session.charts = {{{1, 0}, {0.25, 1.0 / 3}, {{0, 0, 1}, {0.6, 0, -0.8}}, {}, {}}, 2, true};
     session.view = {{"seams", false},
                     {"colormap", std::string("magma")},
                     {"camera", std::vector<double>{1, 0.5}}};

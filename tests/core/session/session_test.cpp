@@ -131,7 +131,7 @@ TEST_P(SessionWith, ChangesRecomputeOnlyWhatTheyTouch) {
   set([](Document& d) { d.parameters.speedEpsilon = 1e-2; });
   const auto epsilon = session_.results();
   EXPECT_EQ(epsilon->gaussArea, before->gaussArea);
-  EXPECT_EQ(epsilon->seeds, before->seeds);
+  EXPECT_EQ(epsilon->start.seeds, before->start.seeds);
   EXPECT_NE(epsilon->segmentation->label, before->segmentation->label);
   set([](Document& d) { d.parameters.sharpAngle = 20; });
   EXPECT_NE(session_.results()->gaussArea, before->gaussArea);
@@ -142,13 +142,13 @@ TEST_P(SessionWith, ChangesRecomputeOnlyWhatTheyTouch) {
 TEST_P(SessionWith, MoreChartsKeepTheOldSeeds) {
   openSample("rocket", 5000);
   after(StepUnit::Flood);
-  const auto before = session_.results()->seeds;
+  const auto before = session_.results()->start.seeds;
   set([](Document& d) { d.parameters.charts = 23; });
-  auto seeds = session_.results()->seeds;
+  auto seeds = session_.results()->start.seeds;
   ASSERT_EQ(seeds.size(), 23u);
   EXPECT_TRUE(std::equal(before.begin(), before.end(), seeds.begin()));
   set([](Document& d) { d.parameters.charts = 5; });
-  seeds = session_.results()->seeds;
+  seeds = session_.results()->start.seeds;
   ASSERT_EQ(seeds.size(), 5u);
   EXPECT_TRUE(std::equal(seeds.begin(), seeds.end(), before.begin()));
 }
@@ -317,7 +317,7 @@ TEST(SessionThreaded, StoppedAtTheVeryEndLaysNothingFlat) {
 }
 
 TEST(Pipeline, AStepThatIsStoppedAtOncePlacesNoSeeds) {
-  Pipeline pipeline({[](const FloodStart&) {}, [](Notice) {}});
+  Pipeline pipeline({[](const FloodBegun&) {}, [](Notice) {}});
   Progress go, stopped;
   pipeline.setMesh(test::sampleMesh("bumps", 2000), 0, go);
   stopped.cancel();

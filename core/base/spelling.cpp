@@ -1,9 +1,9 @@
-// Guesses the word that was meant, for messages about unknown options and values.
+#include "core/base/spelling.h"
 
 #include <algorithm>
 #include <limits>
-
-#include "core/session/settings/parameters.h"
+#include <utility>
+#include <vector>
 
 namespace chartflood {
 
