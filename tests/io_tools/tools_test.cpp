@@ -112,7 +112,8 @@ TEST(Blender, OpensEveryFormatAsWritten) {
                                  "--",
                                  "seen.json"};
   for (const Sample& sample : all) {
-    for (const MeshFormat& format : meshWriteFormats()) {
+    for (const MeshFormat& format : meshFormats()) {
+      if (format.write == nullptr) continue;
       words.push_back(sample.name + "." + format.extension);
       writeMesh(folder.path() / words.back(), sample.charted.view());
     }
