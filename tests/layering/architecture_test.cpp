@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -283,6 +285,69 @@ TEST(ArchitecturePage, TellsEachRoomAndWhatItIncludes) {
     GTEST_SKIP() << kPage << " was written";
   }
   EXPECT_EQ(text.substr(start, to - start), made) << "CHARTFLOOD_WRITE_README=1 makes it anew";
+}
+
+struct Recipe {
+  std::string title, example;
+  std::set<std::string> files;
+};
+
+/// The sections "### ..." below "## Recipes": their example and the files that they name.
+std::vector<Recipe> recipesOf(const std::string& page) {
+  std::vector<Recipe> recipes;
+  std::istringstream lines(page.substr(std::min(page.find("## Recipes"), page.size())));
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && !line.starts_with("## ")) {
+    if (line.starts_with("### ")) recipes.push_back({line.substr(4), "", {}});
+    if (recipes.empty()) continue;
+    for (std::size_t open = line.find('`'); open != std::string::npos;) {
+      const std::size_t close = line.find('`', open + 1);
+      if (close == std::string::npos) break;
+      const std::string word = line.substr(open + 1, close - open - 1);
+      if (line.starts_with("Follow ")) {
+        recipes.back().example = word;
+      } else {
+        recipes.back().files.insert(word);
+      }
+      open = line.find('`', close + 1);
+    }
+  }
+  return recipes;
+}
+
+/// Whoever follows a recipe meets every file that knows of its example.
+TEST(ArchitecturePage, RecipesNameEveryFileOfTheirExample) {
+  const std::vector<Recipe> recipes = recipesOf(textOf(kPage));
+  ASSERT_EQ(recipes.size(), 5u);
+  for (const Recipe& recipe : recipes) {
+    SCOPED_TRACE(recipe.title);
+    ASSERT_NE(recipe.example, "");
+    std::set<std::string> found;
+    for (const char* top : {"core", "render", "app", "shaders"}) {
+      for (const SourceFile& file : sourceFiles(top)) {
+        const bool named = file.path.find(recipe.example) != std::string::npos;
+        if (named || file.text.find(recipe.example) != std::string::npos) {
+          found.insert(file.path);
+        }
+      }
+    }
+    EXPECT_EQ(found, recipe.files);
+  }
+}
+
+/// Files that the page names elsewhere are there, too.
+TEST(ArchitecturePage, NamesOnlyWhatIsThere) {
+  const std::string text = textOf(kPage);
+  std::size_t found = 0;
+  for (const char* top : {"`core/", "`render/", "`app/", "`tests/"}) {
+    for (std::size_t at = text.find(top); at != std::string::npos; at = text.find(top, at + 1)) {
+      const std::string path = text.substr(at + 1, text.find('`', at + 1) - at - 1);
+      EXPECT_TRUE(std::filesystem::exists(sourceRoot() / path)) << path;
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 60u);
 }
 
 }  // namespace
