@@ -86,10 +86,9 @@ std::vector<char> readInput(std::size_t size) {
   return bytes;
 }
 
-/// What the library says, without the name that it was given.
-std::string withoutName(std::string words, const std::string& name) {
-  for (std::size_t at; (at = words.find(name)) != std::string::npos;) {
-    words.replace(at, name.size(), "it");
+std::string replaced(std::string words, const std::string& old, std::string_view by) {
+  for (std::size_t at = 0; (at = words.find(old, at)) != std::string::npos; at += by.size()) {
+    words.replace(at, old.size(), by);
   }
   return words;
 }
@@ -110,7 +109,8 @@ ImportReply runImport(std::string_view bytes, const std::string& extension,
   } catch (const std::exception& error) {
     reply.reason = error.what();
   }
-  reply.reason = withoutName(std::move(reply.reason), name);
+  // What the library says, without the name that it was given and the folder of what it missed.
+  reply.reason = replaced(replaced(std::move(reply.reason), name, "it"), (place / "").string(), "");
   return reply;
 }
 

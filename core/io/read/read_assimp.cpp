@@ -58,10 +58,13 @@ std::string cleaned(std::string_view words) {
   return text;
 }
 
+/// How files begin that are packed as Blender does since 3.0.
+constexpr std::string_view kBlenderPacking = "\x28\xb5\x2f\xfd";
+
 /// The version in the head of a Blender file, 402 for 4.2; 300 for one in the packing that came
 /// with it; 0 when it is none or packed as before.
 int blenderVersion(std::string_view bytes) {
-  if (bytes.starts_with("\x28\xb5\x2f\xfd")) return 300;
+  if (bytes.starts_with(kBlenderPacking)) return 300;
   if (!bytes.starts_with("BLENDER")) return 0;
   const std::size_t v = bytes.substr(0, 16).find_first_of("vV");
   if (v == std::string_view::npos) return 0;
@@ -79,9 +82,10 @@ int blenderVersion(std::string_view bytes) {
   constexpr int kKnown = 279;
   const int version = extension == "blend" ? blenderVersion(source.bytes) : 0;
   if (version <= kKnown) source.fail(cause);
-  source.fail("it was made by a newer Blender (" + std::to_string(version / 100) + "." +
+  source.fail("it is of Blender " + std::to_string(version / 100) + "." +
               std::to_string(version % 100) +
-              " or later) than the import library knows; export glTF or OBJ from Blender");
+              (source.bytes.starts_with(kBlenderPacking) ? " or later" : "") +
+              ", whose files the import library knows in part; export glTF or OBJ from Blender");
 }
 
 /// Who works in the other program.

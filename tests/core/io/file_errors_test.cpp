@@ -30,6 +30,12 @@ TEST(FileErrors, MissingFile) {
   EXPECT_EQ(causeOf(folder.path() / "none.obj"), "there is no such file");
 }
 
+TEST(FileErrors, ALongNameIsToldByItsEnd) {
+  const std::string folders = std::string(2000, 'a') + "/\xc3\xa4";
+  const std::string text = ReadError(folders + std::string(297, 'b') + ".x", "it is empty").what();
+  EXPECT_EQ(text, "Could not read .." + std::string(297, 'b') + ".x: it is empty.");
+}
+
 TEST(FileErrors, FileBelowAFile) {
   const TemporaryFolder folder;
   const auto file = folder.write("a.obj", "v 0 0 0\n");
