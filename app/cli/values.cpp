@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/spelling.h"
+#include "core/base/text.h"
 #include "core/io/text/parse_number.h"
 #include "core/session/settings/parameters.h"
 
@@ -58,12 +59,7 @@ double readNumber(std::string_view option, std::string_view text) {
 }
 
 bool readSwitch(std::string_view option, std::string_view text) {
-  for (const char* word : {"on", "true", "yes", "1"}) {
-    if (text == word) return true;
-  }
-  for (const char* word : {"off", "false", "no", "0"}) {
-    if (text == word) return false;
-  }
+  if (const std::optional<bool> on = switchValue(text)) return *on;
   refuse(option, text, "is neither on nor off", "on or off");
 }
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/io/read/read_3mf.h"
 #include "core/io/read/read_gltf.h"
 #include "core/io/read/read_obj.h"
@@ -118,8 +118,7 @@ std::span<const MeshFormat> meshFormats() { return kFormats; }
 const MeshFormat* findMeshFormat(std::string_view extension) {
   if (extension.starts_with('.')) extension.remove_prefix(1);
   const auto same = [&](const MeshFormat& format) {
-    return std::ranges::equal(extension, std::string_view(format.extension), {},
-                              [](char c) { return std::tolower(static_cast<unsigned char>(c)); });
+    return lowerCase(extension) == format.extension;
   };
   const auto found = std::find_if(kFormats.begin(), kFormats.end(), same);
   return found == kFormats.end() ? nullptr : &*found;

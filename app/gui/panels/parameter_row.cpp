@@ -9,6 +9,7 @@
 #include "app/gui/widgets/widgets.h"
 #include "app/host/script/command.h"
 #include "app/host/settings/slider_scale.h"
+#include "core/base/text.h"
 
 namespace chartflood {
 
@@ -240,7 +241,7 @@ void parameterRow(const Ui& ui, const ParameterInfo& info) {
   if (const bool* on = std::get_if<bool>(&value)) {
     bool flag = *on;
     if (ImGui::Checkbox((std::string("##") + info.id).c_str(), &flag)) {
-      ui.run(setLine(info, flag ? "on" : "off", false));
+      ui.run(setLine(info, switchWord(flag), false));
     }
     ui.probe.item(info.id);
   } else if (const std::string* text = std::get_if<std::string>(&value)) {

@@ -13,6 +13,7 @@
 #include "app/host/actions/action_needs.h"
 #include "app/host/script/command.h"
 #include "app/host/settings/standard_paths.h"
+#include "core/base/text.h"
 
 namespace chartflood {
 
@@ -54,7 +55,7 @@ void choiceRow(const Ui& ui, const char* words, const char* key, Choices choices
 void tick(const Ui& ui, const char* words, const char* key) {
   bool on = value(ui, key) == "on";
   ImGui::PushID(key);
-  if (ImGui::Checkbox(words, &on)) ui.run(setLine(key, on ? "on" : "off"));
+  if (ImGui::Checkbox(words, &on)) ui.run(setLine(key, switchWord(on)));
   ImGui::PopID();
   ui.probe.item(std::string("picture/") + key);
 }

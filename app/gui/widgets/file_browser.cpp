@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdio>
 #include <system_error>
 
@@ -11,6 +10,7 @@
 #include "app/gui/widgets/widgets.h"
 #include "app/host/script/command.h"
 #include "app/host/settings/standard_paths.h"
+#include "core/base/text.h"
 #include "core/io/mesh_formats.h"
 #include "core/session/files/session_io.h"
 
@@ -44,11 +44,6 @@ Purpose purposeOf(PanelState::Browse browse) {
     break;
   }
   return {"open", ""};
-}
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
 }
 
 bool isMesh(const std::string& name) {
@@ -117,12 +112,13 @@ void FileBrowser::list() {
   }
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
     if (a.folder != b.folder) return a.folder;
-    return lower(a.name) < lower(b.name);
+    return lowerCase(a.name) < lowerCase(b.name);
   });
 }
 
 bool FileBrowser::matches(const Entry& entry) const {
-  return saving() || name_.empty() || lower(entry.name).find(lower(name_)) != std::string::npos;
+  return saving() || name_.empty() ||
+         lowerCase(entry.name).find(lowerCase(name_)) != std::string::npos;
 }
 
 void FileBrowser::choose(const Ui& ui, const std::filesystem::path& file) {

@@ -9,6 +9,7 @@
 #include "app/host/script/command.h"
 #include "app/host/state/app_state.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace chartflood {
 
@@ -16,8 +17,6 @@ namespace {
 
 constexpr int kWordStart = 8, kInARow = 5, kAnywhere = 1, kWholeWord = 6;
 constexpr std::size_t kMostRecent = 6;
-
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
 bool isLetter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
@@ -33,7 +32,7 @@ int scoreFrom(std::string_view word, std::string_view text, std::size_t first) {
   int score = 0;
   std::size_t last = text.size(), at = first;
   for (const char c : word) {
-    while (at < text.size() && lower(text[at]) != lower(c)) ++at;
+    while (at < text.size() && lowerCase(text[at]) != lowerCase(c)) ++at;
     if (at == text.size()) return -1;
     if (last + 1 == at) {
       score += kInARow;
@@ -49,7 +48,8 @@ int scoreFrom(std::string_view word, std::string_view text, std::size_t first) {
 int wordScore(std::string_view word, std::string_view text) {
   int best = -1;
   for (std::size_t first = 0; first < text.size(); ++first) {
-    if (lower(text[first]) == lower(word[0])) best = std::max(best, scoreFrom(word, text, first));
+    if (lowerCase(text[first]) == lowerCase(word[0]))
+      best = std::max(best, scoreFrom(word, text, first));
   }
   // A few letters strewn over a long title mean something else.
   return best < 2 * static_cast<int>(word.size()) ? -1 : best;

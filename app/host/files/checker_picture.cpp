@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <memory>
 
+#include "core/base/text.h"
 #include "render/scene/read_picture.h"
 
 namespace chartflood {
 
 bool isPictureFile(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = lowerCase(file.extension().string());
   constexpr std::array kEndings = {".png", ".jpg", ".jpeg"};
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/io/text/parse_number.h"
 
 namespace chartflood {
@@ -29,13 +30,6 @@ bool parsesAs(const std::string& text) {
   return parseAs(text, value);
 }
 
-bool isOn(std::string_view text) {
-  return text == "on" || text == "true" || text == "yes" || text == "1";
-}
-bool isOff(std::string_view text) {
-  return text == "off" || text == "false" || text == "no" || text == "0";
-}
-
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -54,7 +48,7 @@ void checkType(std::string_view action, const ArgumentInfo& info, const std::str
     if (!parsesAs<double>(value)) refuse(action, where + ", but must be a number.");
     return;
   case ArgumentType::Switch:
-    if (!isOn(value) && !isOff(value)) refuse(action, where + ", but must be on or off.");
+    if (!switchValue(value)) refuse(action, where + ", but must be on or off.");
     return;
   case ArgumentType::Choice:
     if (std::find(info.choices.begin(), info.choices.end(), value) == info.choices.end()) {
@@ -104,7 +98,7 @@ long Arguments::integer(std::string_view name, long fallback) const {
 }
 
 bool Arguments::flag(std::string_view name, bool fallback) const {
-  return has(name) ? isOn(text(name)) : fallback;
+  return has(name) ? switchValue(text(name)).value_or(false) : fallback;
 }
 
 }  // namespace chartflood

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/io/text/parse_number.h"
 
 namespace chartflood {
@@ -33,10 +34,11 @@ struct Row {
 };
 
 Row switchRow(const char* key, bool PictureSettings::*member) {
-  return {key, [=](const PictureSettings& s) { return std::string(s.*member ? "on" : "off"); },
+  return {key, [=](const PictureSettings& s) { return std::string(switchWord(s.*member)); },
           [=](PictureSettings& s, std::string_view text) {
-            if (text != "on" && text != "off") refuse(key, text, "give on or off");
-            s.*member = text == "on";
+            const std::optional<bool> on = switchValue(text);
+            if (!on) refuse(key, text, "give on or off");
+            s.*member = *on;
           }};
 }
 

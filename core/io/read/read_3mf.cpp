@@ -20,7 +20,7 @@ namespace chartflood {
 namespace {
 
 constexpr std::string_view kModelRelation = "/3dmodel";
-constexpr std::size_t kDeepest = 100;
+constexpr std::size_t kDeepest3mf = 100;
 /// Components may be used again and again; a short file could ask for more than memory holds.
 constexpr std::size_t kMostRepeated = std::size_t{1} << 26;
 constexpr std::size_t kMostUses = std::size_t{1} << 22;
@@ -126,8 +126,8 @@ Object3mf* PackageReader::find(const Use3mf& use) {
 
 /// How much a use adds, components of components included.
 PackageReader::Amount PackageReader::measure(const Use3mf& use, std::size_t depth) {
-  if (depth > kDeepest) {
-    source_.fail("its components lie more than " + std::to_string(kDeepest) +
+  if (depth > kDeepest3mf) {
+    source_.fail("its components lie more than " + std::to_string(kDeepest3mf) +
                  " deep in each other; export it flat");
   }
   const Object3mf* const object = find(use);

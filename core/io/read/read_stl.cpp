@@ -1,11 +1,11 @@
 #include "core/io/read/read_stl.h"
 
-#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/base/text.h"
 #include "core/io/read/face_builder.h"
 #include "core/io/read/weld.h"
 #include "core/io/text/text_rows.h"
@@ -27,7 +27,7 @@ std::size_t facetCount(std::string_view bytes) {
 bool equalsIgnoringCase(std::string_view word, std::string_view lower) {
   if (word.size() != lower.size()) return false;
   for (std::size_t i = 0; i < word.size(); ++i) {
-    if (std::tolower(static_cast<unsigned char>(word[i])) != lower[i]) return false;
+    if (lowerCase(word[i]) != lower[i]) return false;
   }
   return true;
 }

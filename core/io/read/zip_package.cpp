@@ -1,7 +1,6 @@
 #include "core/io/read/zip_package.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <memory>
 #include <vector>
@@ -9,6 +8,7 @@
 #include <zip.h>
 
 #include "core/base/counted.h"
+#include "core/base/text.h"
 
 namespace chartflood {
 
@@ -54,7 +54,7 @@ std::string ZipPackage::keyOf(std::string_view name) {
       }
     }
     if (c == '/' && key.empty()) continue;
-    key.push_back(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+    key.push_back(lowerCase(c));
   }
   return key;
 }

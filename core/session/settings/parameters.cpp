@@ -11,6 +11,7 @@
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/base/spelling.h"
+#include "core/base/text.h"
 #include "core/io/text/parse_number.h"
 #include "core/model/build_mesh.h"
 #include "core/segment/registry.h"
@@ -102,12 +103,7 @@ T parseNumber(const ParameterInfo& info, std::string_view text) {
 }
 
 bool parseSwitch(const ParameterInfo& info, std::string_view text) {
-  for (const char* word : {"on", "true", "yes", "1"}) {
-    if (text == word) return true;
-  }
-  for (const char* word : {"off", "false", "no", "0"}) {
-    if (text == word) return false;
-  }
+  if (const std::optional<bool> on = switchValue(text)) return *on;
   refuse(info, text, "is neither on nor off");
 }
 
@@ -213,7 +209,7 @@ std::string whyUnused(const Parameters& values, const ParameterInfo& info) {
 }
 
 std::string parameterText(const ParameterValue& value) {
-  if (const bool* on = std::get_if<bool>(&value)) return *on ? "on" : "off";
+  if (const bool* on = std::get_if<bool>(&value)) return switchWord(*on);
   if (const int* whole = std::get_if<int>(&value)) return std::to_string(*whole);
   if (const double* number = std::get_if<double>(&value)) return numberText(*number);
   return std::get<std::string>(value);
