@@ -1,5 +1,7 @@
 // The stages after the labels: cuts, unwrap and texture.
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -21,13 +23,20 @@ void timed(double& milliseconds, Work&& work) {
   milliseconds = stopwatch.milliseconds();
 }
 
+/// Whether values of these stages differ. Others may, too: of rounds that finished charts outlive.
+bool differWithin(const Parameters& a, const Parameters& b, Stage first, Stage last) {
+  const std::span<const ParameterInfo> table = parameterTable();
+  return std::any_of(table.begin(), table.end(), [&](const ParameterInfo& info) {
+    return info.stage >= first && info.stage <= last &&
+           parameterValue(a, info) != parameterValue(b, info);
+  });
+}
+
 }  // namespace
 
 bool Pipeline::isFlat() const {
-  Stage stage;
-  const bool differs = firstDifference(shownFlat_.parameters, document_.parameters, stage);
   return shownFlat_.atlas && !stale() && shownFlat_.of == segmentation_ &&
-         !(differs && stage >= Stage::Cut);
+         !differWithin(shownFlat_.parameters, document_.parameters, Stage::Cut, Stage::Layout);
 }
 
 bool Pipeline::awaitsUnwrap() const {
@@ -35,14 +44,18 @@ bool Pipeline::awaitsUnwrap() const {
 }
 
 void Pipeline::dropStaleFlat() {
-  Stage stage = Stage::Layout;
-  const bool changed = firstDifference(flat_.parameters, document_.parameters, stage);
-  if (flat_.of != segmentation_ || (changed && stage <= Stage::Cut)) flat_ = {};
-  if (changed && stage <= Stage::Unwrap) {
+  const Parameters made = flat_.parameters;
+  const Parameters& now = document_.parameters;
+  // The search for handles begins from the generator seed.
+  const bool cutAnew =
+      differWithin(made, now, Stage::Cut, Stage::Cut) || made.rngSeed != now.rngSeed;
+  if (flat_.of != segmentation_ || cutAnew) flat_ = {};
+  if (differWithin(made, now, Stage::Unwrap, Stage::Unwrap)) {
     flat_.charts.reset();
     flat_.unwrap.reset();
+    flat_.atlas.reset();
   }
-  if (changed) flat_.atlas.reset();
+  if (differWithin(made, now, Stage::Layout, Stage::Layout)) flat_.atlas.reset();
   flat_.of = segmentation_;
   flat_.parameters = document_.parameters;
 }

@@ -43,6 +43,24 @@ INSTANTIATE_TEST_SUITE_P(Workers, UnwrapWith,
                            return instance.param == Session::Worker::Inline ? "Inline" : "Threaded";
                          });
 
+/// Finished charts outlive another patience; a margin after it is packed, and nothing else anew.
+TEST_P(UnwrapWith, AMarginCountsBesideValuesOfRounds) {
+  session_.setAutoUnwrap(true);
+  segment("rocket", 2000, 8);
+  const auto before = results();
+  ASSERT_TRUE(before->flat);
+  const auto after = set([](Document& d) { d.parameters.patience += 1; });
+  EXPECT_EQ(after->atlas, before->atlas);
+  const auto wider = set([](Document& d) { d.parameters.margin += 16; });
+  EXPECT_TRUE(wider->flat);
+  EXPECT_NE(wider->atlas, before->atlas);
+  EXPECT_EQ(wider->unwrap, before->unwrap);
+  EXPECT_EQ(wider->charts, before->charts);
+  const auto tips = set([](Document& d) { d.parameters.tip = 0.3; });
+  EXPECT_TRUE(tips->flat);
+  EXPECT_NE(tips->charts, before->charts);
+}
+
 TEST_P(UnwrapWith, SaysWhereAMarginLeavesNoRoom) {
   session_.setAutoUnwrap(true);
   segment("torus", 2000, 5);
