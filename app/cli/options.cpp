@@ -12,6 +12,8 @@
 #include "app/host/settings/preferences.h"
 #include "app/host/settings/standard_paths.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/io/mesh_formats.h"
 #include "core/samples/samples.h"
 #include "render/scene/color_map.h"
 
@@ -124,18 +126,14 @@ std::filesystem::path readFileName(const Tokens& tokens, const std::string& opti
   if (!tokens.has(option)) return file;
   const std::string ending = fileEnding(file);
   if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return file;
-  std::string allowed = endings[0];
-  for (std::size_t i = 1; i < endings.size(); ++i) {
-    allowed += (i + 1 < endings.size() ? ", " : " or ") + endings[i];
-  }
   throw UsageError("--" + option + "=" + file.string() +
-                   " cannot be written: give a name that ends in " + allowed + ".");
+                   " cannot be written: give a name that ends in " + listed(endings, "or") + ".");
 }
 
 void readFiles(const Tokens& tokens, Invocation& call) {
   call.output = readFileName(tokens, "output", {".png"});
   call.exportLabels = readFileName(tokens, "export-labels", {".txt"});
-  call.exportMesh = readFileName(tokens, "export-mesh", {".obj", ".ply", ".glb"});
+  call.exportMesh = readFileName(tokens, "export-mesh", writtenExtensions());
   call.exportUv = readFileName(tokens, "export-uv", {".png", ".svg"});
   call.exportSeams = readFileName(tokens, "export-seams", {".obj"});
   call.saveSession = readFileName(tokens, "save-session", {kSessionEnding});

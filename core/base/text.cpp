@@ -26,4 +26,14 @@ std::string lowerCase(std::string_view text) {
   return lower;
 }
 
+std::string listed(std::span<const std::string> words, std::string_view last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0 && i + 1 < words.size()) text += ", ";
+    if (i > 0 && i + 1 == words.size()) text.append(" ").append(last).append(" ");
+    text += words[i];
+  }
+  return text;
+}
+
 }  // namespace chartflood

@@ -1,7 +1,8 @@
 #pragma once
-/// Words that mean the same wherever they are read: on and off, and letters of either case.
+/// Small things about words: on and off, letters of either case, lists in a sentence.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,5 +18,8 @@ const char* switchWord(bool on);
 /// Letters of ASCII in lower case; others as they are.
 char lowerCase(char letter);
 std::string lowerCase(std::string_view text);
+
+/// "a, b or c" with the word `last` before the last one.
+std::string listed(std::span<const std::string> words, std::string_view last);
 
 }  // namespace chartflood

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "core/base/text.h"
 #include "core/io/read/read_3mf.h"
@@ -144,16 +143,12 @@ std::string extensionList(FormatReader reader) {
   return text;
 }
 
-std::string writtenExtensions() {
+std::vector<std::string> writtenExtensions() {
   std::vector<std::string> written;
   for (const MeshFormat& format : kFormats) {
     if (format.write != nullptr) written.push_back(std::string(".") + format.extension);
   }
-  std::string text;
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == written.size() ? " or " : ", ") + written[i];
-  }
-  return text;
+  return written;
 }
 
 std::string formatTable() {

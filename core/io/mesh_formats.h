@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/io/text/source.h"
 #include "core/io/write/charted_mesh.h"
@@ -66,8 +67,8 @@ const MeshFormat* formatOfContent(const Source& source);
 /// ".obj, .ply, .off" of one kind of reader.
 std::string extensionList(FormatReader reader);
 
-/// ".obj, .ply or .glb": those that are written.
-std::string writtenExtensions();
+/// ".obj", ".ply", ".glb": of those that are written.
+std::vector<std::string> writtenExtensions();
 
 /// "Wavefront OBJ (.obj)", one row each, as a Markdown table of both kinds of reader.
 std::string formatTable();

@@ -1,6 +1,7 @@
 #include "core/io/write_mesh.h"
 
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/io/write/file_output.h"
 
 namespace chartflood {
@@ -21,7 +22,8 @@ std::string meshBytes(const std::filesystem::path& file, const ChartedMesh& char
   const MeshFormat* const format = writtenFormat(file);
   if (format == nullptr) {
     throw UsageError("Could not write " + file.string() +
-                     ": meshes are written to files that end in " + writtenExtensions() + ".");
+                     ": meshes are written to files that end in " +
+                     listed(writtenExtensions(), "or") + ".");
   }
   return format->write(charted, options);
 }

@@ -22,8 +22,9 @@ constexpr double kFirstFills[] = {0.84, 0.87, 0.82, 0.855};
 constexpr double kLeastFill = 0.08, kLessFill = 0.8;
 /// Room that many charts do not fill stays a hole in their middle: they are given little more.
 constexpr double kLessFillOfMany = 0.93;
-/// Many charts that cover less are placed once more, among finer cells.
-constexpr double kPoorFill = 0.6;
+/// Many charts are placed once more, among finer cells, where so deep in each other that they will
+/// cover less once they are apart. Others cover 0.28 even while some of them hook, heaps 0.06.
+constexpr double kPoorFill = 0.2;
 /// How deep charts lie in each other that are hooked, in grains, and how much
 /// smaller they must become at the end to come apart.
 constexpr double kHookedDepth = 2, kHookedCost = 1.5;

@@ -25,8 +25,6 @@ using Arrows = std::map<std::string, std::set<std::string>>;
 const char* const kPage = "assets/docs/architecture.md";
 const char* const kDrawing = "assets/docs/pictures/architecture.svg";
 
-std::string folderOfFile(const std::string& path) { return path.substr(0, path.rfind('/')); }
-
 std::string textOf(const std::string& path) {
   std::ifstream stream(sourceRoot() / path, std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(stream), {});
@@ -39,13 +37,13 @@ Arrows arrowsOfIncludes() {
   Arrows arrows;
   for (const char* top : {"core", "render", "app"}) {
     for (const SourceFile& file : sourceFiles(top)) {
-      if (!file.path.ends_with(".h") && !file.path.ends_with(".cpp")) continue;
-      const std::string from = folderOfFile(file.path);
+      if (!isSource(file.path)) continue;
+      const std::string from = folderOf(file.path);
       for (const Include& include : includesOf(file)) {
         const bool ours = include.name.starts_with("core/") || include.name.starts_with("app/") ||
                           include.name.starts_with("render/");
-        if (!include.quoted || !ours || folderOfFile(include.name) == from) continue;
-        arrows[from].insert(folderOfFile(include.name));
+        if (!include.quoted || !ours || folderOf(include.name) == from) continue;
+        arrows[from].insert(folderOf(include.name));
       }
     }
   }

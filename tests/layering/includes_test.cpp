@@ -46,10 +46,6 @@ bool isOurs(const Include& include) {
   return include.quoted && startsWithAny(include.name, {"core/", "render/", "app/", "tests/"});
 }
 
-std::string folderOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
-
-bool isSource(const std::string& path) { return path.ends_with(".cpp") || path.ends_with(".h"); }
-
 void checkFile(const SourceFile& file, const Room& room) {
   for (const Include& include : includesOf(file)) {
     EXPECT_FALSE(startsWithAny(include.name, room.mustNot)) << file.path << ": " << include.name;

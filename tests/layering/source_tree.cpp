@@ -40,6 +40,10 @@ std::vector<SourceFile> sourceFiles(const std::string& folder) {
   return files;
 }
 
+std::string folderOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
+
+bool isSource(const std::string& path) { return path.ends_with(".cpp") || path.ends_with(".h"); }
+
 std::vector<Include> includesOf(const SourceFile& file) {
   std::vector<Include> includes;
   std::istringstream lines(file.text);

@@ -19,6 +19,11 @@ std::filesystem::path sourceRoot();
 /// generated files, pictures and hidden folders.
 std::vector<SourceFile> sourceFiles(const std::string& folder);
 
+/// "core/io" of "core/io/read_mesh.h".
+std::string folderOf(const std::string& path);
+/// Whether it is a header or source file of C++.
+bool isSource(const std::string& path);
+
 /// One `#include` line.
 struct Include {
   std::string name;

@@ -9,6 +9,7 @@
 #include "app/host/state/app_state.h"
 #include "app/host/state/compare_look.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/segment/registry.h"
 
 namespace chartflood {
@@ -17,14 +18,12 @@ namespace {
 
 /// "MCGIM (A), VSA (B) and t-flooding (C)".
 std::string methodsInOrder() {
-  const std::vector<const char*> ids = comparedMethods();
-  std::string text;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    text += i == 0 ? "" : i + 1 == ids.size() ? " and " : ", ";
-    text += segmenterOf(ids[i]).shortTitle;
-    text += std::string(" (") + static_cast<char>('A' + i) + ")";
+  std::vector<std::string> names;
+  for (const char* id : comparedMethods()) {
+    const char letter = static_cast<char>('A' + names.size());
+    names.push_back(segmenterOf(id).shortTitle + std::string(" (") + letter + ")");
   }
-  return text;
+  return listed(names, "and");
 }
 
 const std::vector<std::string> kSlots = {kCompareSlots.begin(), kCompareSlots.end()};

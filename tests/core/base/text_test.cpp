@@ -2,6 +2,10 @@
 
 #include "core/base/text.h"
 
+#include <span>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace chartflood {
@@ -18,6 +22,14 @@ TEST(LowerCase, LeavesWhatHasNoCase) {
   EXPECT_EQ(lowerCase(".ObJ"), ".obj");
   EXPECT_EQ(lowerCase("\xc3\x84 7"), "\xc3\x84 7");
   EXPECT_EQ(lowerCase(""), "");
+}
+
+TEST(Listed, PutsTheWordBeforeTheLast) {
+  const std::vector<std::string> words{"a", "b", "c"};
+  EXPECT_EQ(listed(words, "or"), "a, b or c");
+  EXPECT_EQ(listed(std::span(words).first(2), "and"), "a and b");
+  EXPECT_EQ(listed(std::span(words).first(1), "and"), "a");
+  EXPECT_EQ(listed({}, "and"), "");
 }
 
 }  // namespace

@@ -206,6 +206,17 @@ TEST(PackedLayout, ThreeHundredCharts) {
   EXPECT_GT(atlas->efficiency, 0.65);  // shelves cover 0.5
 }
 
+/// The smallest find places among the large ones, and no hole is left for them.
+TEST(PackedLayout, AThousandChartsOfManySizes) {
+  Rng rng(1);
+  LaidCharts laid;
+  for (int i = 0; i < 1000; ++i) laid.addBlob(std::exp(2.5 * rng.below(1000) / 1000.0), rng);
+  const auto atlas = laid.layout({kPacked, 2048, 4});
+  expectSound(laid, *atlas);
+  expectOneScale(*atlas);
+  EXPECT_GT(atlas->efficiency, 0.64);  // 0.56 among coarse cells alone, as on shelves
+}
+
 TEST(PackedLayout, SeveralHundredTriangles) {
   LaidCharts laid;
   Rng rng(17);
