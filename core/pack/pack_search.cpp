@@ -106,7 +106,9 @@ class Search {
     for (Index i = 0; i < all.size(); ++i) all[i] = i;
     Squeezer squeezer(shapes_, gaps_);
     Squeezed best{{}, INFINITY, {}};
-    const double less = many() ? kLessFillOfMany : kLessFill;
+    // Between wide gaps the cells are fine enough, and what is placed leaves less of a hole.
+    const bool wide = gaps_.between * sideFor(firstFill) >= cell_;
+    const double less = many() && !wide ? kLessFillOfMany : kLessFill;
     double cell = cell_;
     for (double fill = firstFill; fill > kLeastFill && !progress_.cancelled(); fill *= less) {
       const double side = sideFor(fill);
@@ -116,7 +118,7 @@ class Search {
       place(next.layout, space, largeFirst(all, 0.3, rng), rng);
       if (piled(next.layout, squeezer)) {
         // The smallest of charts of many sizes find no place among cells larger than they are.
-        if (cell > kCell) cell = kCell, fill /= less;
+        if (cell > kCell && !wide) cell = kCell, fill /= less;
         continue;
       }
       squeeze(next, squeezer, kStartDepths, kStartSteps, nullptr);

@@ -89,6 +89,9 @@ Fitted fit(std::span<const ChartOutline> outlines, std::span<const PackShape> sh
   for (std::size_t i = 0; i < pressed; ++i) {
     if (squeezer.depths()[i] > pressedIn) hanging.push_back(i);
   }
+  // Where most hang, as in a soup of needles, there are no other places: a third do at most where
+  // parting ends well.
+  if (2 * hanging.size() > pressed) return {};
   const Parting parting(shapes, scales.layout, scales.least, gaps, progress);
   parting.part(fitted, pressed, std::move(hanging));
   parting.makeUpright(fitted);

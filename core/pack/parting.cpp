@@ -56,10 +56,12 @@ void Parting::largeFirst(std::vector<std::size_t>& charts) const {
 /// \return whether all found one
 bool Parting::replaceStuck(Fitted& fitted, std::size_t count,
                            std::vector<std::size_t> stuck) const {
-  constexpr double kCells = 1000;
+  // Cells of a third of the gap are fine enough.
+  constexpr double kMostCells = 1000, kLeastCells = 300;
   constexpr int kTurns = 16;
+  const double cells = std::clamp(3 / std::max(gaps_.between, 1e-9), kLeastCells, kMostCells);
   // Those that find no other place stay, so that theirs is not free either.
-  FreeSpace space = spaceAround(fitted, count, kCells);
+  FreeSpace space = spaceAround(fitted, count, cells);
   largeFirst(stuck);
   bool all = true;
   for (const std::size_t i : stuck) all = tryPlace(fitted, i, kTurns, space) && all;
