@@ -1,6 +1,6 @@
 #version 330 core
 // Made in variants by macros, not by uniforms: software drivers work through every branch.
-//   FILL 0..6     what fills the faces (below)
+//   FILL          what fills the faces: one of FILL_PLAIN, .., which the program defines
 //   FLOOD         the recorded flood decides which chart a face has; with PLAY up to the playhead
 //   STATES        charts may be hidden or step back
 //   LIGHT         light and shadow; with FLAT each triangle is shaded by its plane, with
@@ -15,16 +15,6 @@
 
 const uint kNone = 0xFFFFFFFFu;
 
-#define FILL_PLAIN 0
-#define FILL_CHARTS 1
-#define FILL_TRIANGLE_VALUE 2
-#define FILL_CHART_VALUE 3
-#define FILL_FLOOD_TIME 4
-#define FILL_FLOOD_ORDER 5
-#define FILL_CHECKER 6
-#ifndef FILL
-#define FILL FILL_CHARTS
-#endif
 #if FILL == FILL_CHECKER
 #include "common/checker.glsl"
 in vec2 vChecker;  // squares; far below 0: no place in the texture

@@ -43,56 +43,60 @@ struct Needs {
 
 Needs needsOf(const Results& results, const PictureOptions& options, bool inTexture) {
   const RenderSettings& settings = options.settings;
-  const ColorMode mode = settings.colorMode;
+  const ModeNeed mode = colorModeInfo(settings.colorMode).needs;
   Needs needs;
-  needs.gauss = settings.sharpEdges || mode == ColorMode::GaussVertex ||
-                mode == ColorMode::GaussEdge || mode == ColorMode::GaussFace ||
-                mode == ColorMode::Gauss;
-  needs.flood = settings.playhead || options.floodFilm > 0 || mode == ColorMode::FloodTime ||
-                mode == ColorMode::FloodOrder || !results.segmentation->complete;
+  needs.gauss = settings.sharpEdges || mode == ModeNeed::GaussArea;
+  needs.flood = settings.playhead || options.floodFilm > 0 || mode == ModeNeed::Flood ||
+                !results.segmentation->complete;
   // Marks lie in the texture, too.
   needs.texture = inTexture || options.view != PictureOptions::View::Model ||
-                  mode == ColorMode::Checkerboard || settings.problems;
+                  mode == ModeNeed::Texture || settings.problems;
   return needs;
 }
 
-void fillFlat(Renderer& renderer, const Results& results, const RenderSettings& settings,
-              const Needs& needs) {
-  if (needs.texture) renderer.setCornerUv(cornerUv(*results.mesh, *results.charts, *results.atlas));
-  if (settings.cuts) renderer.setCuts(cutSides(*results.charts));
-  if (settings.colorMode == ColorMode::Stretch)
-    renderer.setTriangleValues(settings.colorMode, results.unwrap->stretch);
-  if (settings.colorMode == ColorMode::AreaDistortion)
-    renderer.setTriangleValues(settings.colorMode, results.unwrap->area);
-  if (settings.colorMode == ColorMode::AngleDistortion)
-    renderer.setTriangleValues(settings.colorMode, results.unwrap->angle);
+template <class Value>
+std::shared_ptr<const Value> sharedPart(Value value) {
+  return std::make_shared<const Value>(std::move(value));
+}
+
+void addFlat(render::Scene& scene, const Results& results, const RenderSettings& settings,
+             const Needs& needs) {
+  if (needs.texture) {
+    scene.source.layout = sharedPart(
+        uvLayout(*results.mesh, cornerUv(*results.mesh, *results.charts, *results.atlas)));
+  }
+  if (settings.cuts) scene.cuts = sharedPart(cutSides(*results.charts));
+  scene.source.unwrap = results.unwrap;
 }
 
 float pixelScale(int width, int height) {
   return std::max(0.5f, static_cast<float>(std::min(width, height)) / kUsualSide);
 }
 
-void fill(Renderer& renderer, const Results& results, const PictureOptions& options,
-          bool inTexture = false) {
+render::Scene pictureScene(const Results& results, const PictureOptions& options,
+                           bool inTexture = false) {
   const Needs needs = needsOf(results, options, inTexture);
-  {
-    const CornerNormals normals =
-        computeCornerNormals(*results.mesh, results.parameters.sharpAngle);
-    renderer.setMesh(results.mesh, &normals);
+  render::Scene scene;
+  scene.source.mesh = results.mesh;
+  const CornerNormals normals = computeCornerNormals(*results.mesh, results.parameters.sharpAngle);
+  scene.vertices = surfaceVertices(*results.mesh, &normals);
+  if (needs.gauss) {
+    scene.source.gauss = sharedPart(gaussValues(*results.mesh, *results.gaussArea));
   }
-  if (needs.gauss) renderer.setGaussArea(results.gaussArea.get());
-  renderer.setChartColors(options.chartColors);
-  renderer.setSegmentation(results.segmentation.get());
-  if (needs.flood) {
-    renderer.setFlood(results.record);
-    renderer.updateFlood();
+  scene.chartColors = sharedPart(options.chartColors);
+  scene.source.segmentation = results.segmentation;
+  if (needs.flood && results.record) {
+    scene.source.record = results.record;
+    scene.source.recorded = results.record->size();
   }
-  renderer.setSeeds(seedMarks(results));
-  if (results.flat) fillFlat(renderer, results, options.settings, needs);
+  scene.seeds = sharedPart(seedMarks(results));
+  if (results.flat) addFlat(scene, results, options.settings, needs);
   // They belong to the finished charts.
   if (options.settings.problems && results.segmentation->complete && results.chartStats) {
-    renderer.setMarks(problemMarks(*results.mesh, *results.segmentation, findProblems(results)));
+    scene.marks =
+        sharedPart(problemMarks(*results.mesh, *results.segmentation, findProblems(results)));
   }
+  return scene;
 }
 
 Camera pictureCamera(const Results& results, const PictureOptions& options) {
@@ -155,7 +159,7 @@ Image drawPicture(const Results& results, const PictureOptions& options,
   const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
   const gl::CurrentScope current(*context);
   Renderer renderer;
-  fill(renderer, results, options);
+  renderer.show(pictureScene(results, options));
   return drawView(renderer, *results.mesh, options, options.settings,
                   pictureCamera(results, options));
 }
@@ -165,7 +169,7 @@ void drawFrames(const Results& results, const PictureOptions& options, const std
   const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
   const gl::CurrentScope current(*context);
   Renderer renderer;
-  fill(renderer, results, options);
+  renderer.show(pictureScene(results, options));
   const bool turns = options.turntable > 0;
   const std::size_t count = turns ? options.turntable : options.floodFilm;
   const Camera first = turns ? turntableCamera(results, options) : pictureCamera(results, options);
@@ -186,7 +190,7 @@ Image drawTexture(const Results& results, const PictureOptions& options,
   const auto context = gl::createOffscreenContext(gl::offscreenBackendFromId(backend));
   const gl::CurrentScope current(*context);
   Renderer renderer;
-  fill(renderer, results, options, true);
+  renderer.show(pictureScene(results, options, true));
   const PictureSize size{.width = results.atlas->textureSize,
                          .height = results.atlas->textureSize,
                          .supersampling = options.supersampling,

@@ -6,7 +6,6 @@
 #include <glm/vec4.hpp>
 
 #include "core/base/error.h"
-#include "render/scene/mode_range.h"
 
 namespace chartflood {
 
@@ -20,24 +19,18 @@ const ChartPalette& paletteNamed(const std::string& id) {
 
 }  // namespace
 
-ChartLayer::ChartLayer(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
-  setSegmentation(nullptr);
-}
+ChartLayer::ChartLayer(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) { setLabels({}); }
 
-void ChartLayer::setSegmentation(const Segmentation* segmentation) {
-  labelled_ = segmentation != nullptr;
-  if (segmentation) {
-    growTo(segmentation->chartCount);
-    // Half-grown charts have not met all their neighbours yet: colours wait for the end.
-    if (segmentation->complete) recolor(neighbourCharts(*mesh_, segmentation->label));
-    setBalance(segmentation->areas.gaussArea);
-  }
-  setLabels(segmentation ? segmentation->label : std::span<const Index>{});
+void ChartLayer::setSegmentation(const Segmentation& segmentation) {
+  growTo(segmentation.chartCount);
+  // Half-grown charts have not met all their neighbours yet: colours wait for the end.
+  if (segmentation.complete) recolor(neighbourCharts(*mesh_, segmentation.label));
 }
 
 void ChartLayer::setLabels(std::span<const Index> label) {
   label_.assign(mesh_->triangleCount(), kNone);
-  if (!label.empty()) {
+  labelled_ = !label.empty();
+  if (labelled_) {
     for (Index t = 0; t < label_.size(); ++t) label_[t] = label[mesh_->faceOf(t)];
   }
   labels_.upload<Index>(GL_R32UI, label_, GL_DYNAMIC_DRAW);
@@ -67,12 +60,8 @@ void ChartLayer::recolor(std::span<const ChartPair> neighbours) {
   colorNumber_ = colorCharts(count, neighbours, colorNumber_, chartPaletteTable()[0]);
 }
 
-void ChartLayer::setBalance(std::span<const double> gaussArea) {
-  balance_ = balanceValues(gaussArea);
-  balanceRange_ = chartflood::balanceRange(balance_);
-}
-
-void ChartLayer::update(const RenderSettings& settings, std::span<const float> longestTime) {
+void ChartLayer::update(const RenderSettings& settings, std::span<const float> longestTime,
+                        std::span<const float> chartValues) {
   std::vector<glm::vec4> colors;
   std::vector<glm::vec2> values;
   for (Index chart = 0; chart < colorNumber_.size(); ++chart) {
@@ -81,7 +70,7 @@ void ChartLayer::update(const RenderSettings& settings, std::span<const float> l
     const float state = holdsChart(settings.hiddenCharts, chart) ? 0.0f : steppedBack ? 0.5f : 1.0f;
     colors.emplace_back(chartColor(chart, settings.palette), state);
     const float longest = chart < longestTime.size() ? longestTime[chart] : 0.0f;
-    values.emplace_back(chart < balance_.size() ? balance_[chart] : 0.0f,
+    values.emplace_back(chart < chartValues.size() ? chartValues[chart] : 0.0f,
                         longest > 0 ? 1 / longest : 0.0f);
   }
   if (!colors_ || colors != uploadedColors_) colors_.upload<glm::vec4>(GL_RGBA32F, colors);

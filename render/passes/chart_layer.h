@@ -16,7 +16,6 @@
 #include "render/gl/objects.h"
 #include "render/scene/chart_palette.h"
 #include "render/scene/render_settings.h"
-#include "render/scene/scalar_range.h"
 
 namespace chartflood {
 
@@ -25,12 +24,10 @@ class ChartLayer {
   /// Starts without charts.
   explicit ChartLayer(std::shared_ptr<const Mesh> mesh);
 
-  /// Takes the labels and the Gauss areas; null removes them.
-  void setSegmentation(const Segmentation* segmentation);
-  /// Other labels of the same charts, one a face: colours and areas stay.
+  /// Makes room for these charts and gives them colours; setLabels() gives their labels.
+  void setSegmentation(const Segmentation& segmentation);
+  /// One a face, or none: colours stay.
   void setLabels(std::span<const Index> label);
-  /// Gauss areas of the charts at another moment, in place of those of the segmentation.
-  void setBalance(std::span<const double> gaussArea);
   /// Makes room for charts known by their seeds alone and gives them colours.
   void setSeeds(std::span<const glm::dvec3> places);
   /// Makes room for at least so many charts.
@@ -39,17 +36,15 @@ class ChartLayer {
   void paint(std::span<const Index> numbers);
   std::span<const Index> colorNumbers() const { return colorNumber_; }
   /// Uploads colours, states and values for a picture where they changed. `longestTime` holds each
-  /// chart's last local time.
-  void update(const RenderSettings& settings, std::span<const float> longestTime);
+  /// chart's last local time; `values` may know fewer charts.
+  void update(const RenderSettings& settings, std::span<const float> longestTime,
+              std::span<const float> values);
 
   std::size_t chartCount() const { return colorNumber_.size(); }
-  bool labelled() const { return labelled_; }
   /// Chart of a triangle, kNone while it has none.
   Index chartOf(std::size_t triangle) const { return label_[triangle]; }
   /// sRGB in [0, 1].
   glm::vec3 chartColor(Index chart, const std::string& palette) const;
-  /// Gauss areas of the charts against their mean, per cent.
-  const ScalarRange& balanceRange() const { return balanceRange_; }
   std::size_t seamCount() const { return seamCount_; }
 
   void bindLabels(GLuint unit) const { labels_.bind(unit); }
@@ -66,8 +61,6 @@ class ChartLayer {
   bool labelled_ = false;
   std::vector<Index> label_;        // of each triangle
   std::vector<Index> colorNumber_;  // of each chart, in the default palette
-  std::vector<float> balance_;
-  ScalarRange balanceRange_;
   std::size_t seamCount_ = 0;
   std::vector<glm::vec4> uploadedColors_;
   std::vector<glm::vec2> uploadedValues_;

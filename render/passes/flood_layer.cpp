@@ -37,15 +37,14 @@ void FloodLayer::dry(std::size_t triangles) {
   seams_.upload<glm::vec4>(GL_RGBA32F, {}, GL_DYNAMIC_DRAW);
 }
 
-bool FloodLayer::update(std::size_t most) {
-  if (!record_) return true;
-  const std::size_t published = record_->size();
-  const std::size_t size = taken_ + std::min(most, published - taken_);
+bool FloodLayer::update(std::size_t recorded, std::size_t most) {
+  if (!record_ || recorded <= taken_) return true;
+  const std::size_t size = taken_ + std::min(most, recorded - taken_);
   if (size == taken_) return true;
   for (std::size_t i = taken_; i < size; ++i) take(i);
   taken_ = size;
   uploadChanges();
-  return size == published;
+  return size == recorded;
 }
 
 void FloodLayer::take(std::size_t order) {

@@ -25,9 +25,9 @@ class FloodLayer {
   void follow(std::shared_ptr<const FloodRecord> record);
   /// Makes the arrays that bindOrder() and bindTime() show, which a dry mesh is without.
   void prepare();
-  /// Uploads what the record published since the last call, at most so many entries of it. Cost:
+  /// Uploads what is new of the record's first `recorded` entries, at most so many of them. Cost:
   /// the new part alone. \returns false when entries are left
-  bool update(std::size_t most);
+  bool update(std::size_t recorded, std::size_t most);
 
   /// Number of faces taken so far.
   std::size_t size() const { return taken_; }

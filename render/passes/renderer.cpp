@@ -1,23 +1,10 @@
 #include "render/passes/renderer.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "core/base/error.h"
 #include "render/passes/renderer_colors.h"
-#include "render/scene/mode_range.h"
 
 namespace chartflood {
-
-namespace {
-
-bool isGauss(ColorMode mode) {
-  return mode == ColorMode::GaussVertex || mode == ColorMode::GaussEdge ||
-         mode == ColorMode::GaussFace || mode == ColorMode::Gauss;
-}
-
-}  // namespace
 
 Renderer::Renderer()
     : backgroundProgram_("background.vert", "background.frag"),
@@ -28,11 +15,38 @@ Renderer::Renderer()
   seeds_.upload<glm::vec4>(GL_RGBA32F, {});
 }
 
-void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* normals) {
+bool Renderer::show(const render::Scene& scene, std::size_t mostOfFlood) {
+  checkScene(scene);
+  const render::Scene before = std::exchange(scene_, scene);
+  scene_.source.taken = before.source.taken;
+  if (scene_.source.mesh != mesh_) {
+    showMesh(scene_);
+    if (mesh_) return show(scene, mostOfFlood);
+  }
+  if (!mesh_) return true;
+  showVertices(before);
+  showCharts(before);
+  const bool whole = showFlood(before, mostOfFlood);
+  if (scene_.seeds != before.seeds && scene_.seeds) {
+    std::vector<glm::dvec3> places;
+    for (const SeedMark& seed : *scene_.seeds) {
+      if (seed.chart == places.size()) places.push_back(faceMiddle(*mesh_, seed.face));
+    }
+    charts_->setSeeds(places);
+  }
+  showLines(before);
+  std::erase_if(values_, [&](const auto& each) {
+    return each.second.of != neededBy(each.first, scene_.source);
+  });
+  return whole;
+}
+
+/// Forgets everything about the mesh before. What else the scene has is still to be shown.
+void Renderer::showMesh(const render::Scene& scene) {
   unfinished_.reset();
-  tree_.reset();
-  mesh_ = std::move(mesh);
-  vertices_.reset();
+  mesh_ = scene.source.mesh;
+  scene_ = {};
+  scene_.source.mesh = mesh_;
   surface_.reset();
   charts_.reset();
   flood_.reset();
@@ -42,189 +56,125 @@ void Renderer::setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* no
   cuts_.reset();
   lines_.clear();
   marks_.reset();
-  seedMarks_.clear();
   if (!mesh_) return;
   bounds_ = boundingSphere(mesh_->positions());
-  vertices_ = surfaceVertices(*mesh_, normals);
-  surface_.emplace(*mesh_, *vertices_);
+  surface_.emplace(*mesh_);
   charts_.emplace(mesh_);
   flood_.emplace(mesh_);
 }
 
-void Renderer::setNormals(const CornerNormals* normals) {
-  if (mesh_) setVertices(surfaceVertices(*mesh_, normals));
+/// Vertices, with the places that a texture gives them.
+void Renderer::showVertices(const render::Scene& before) {
+  const std::shared_ptr<const UvLayout>& layout = scene_.source.layout;
+  const bool otherLayout = layout != before.source.layout;
+  if (otherLayout) {
+    unfinished_.reset();
+    surface_->forgetSimple();
+    uv_.reset();
+    if (layout && !layout->empty()) uv_.emplace(mesh_, layout);
+  }
+  if (otherLayout || scene_.vertices != before.vertices || !surface_->hasVertices()) {
+    unfinished_.reset();
+    const auto plain = scene_.vertices ? scene_.vertices : surfaceVertices(*mesh_, nullptr);
+    if (!uv_)
+      surface_->setVertices(*plain);
+    else
+      surface_->setVertices(scene_.parted ? *scene_.parted
+                                          : *partedVertices(*plain, layout->corners));
+  }
+  if (scene_.simple != before.simple) {
+    unfinished_.reset();
+    if (scene_.simple && !scene_.simple->empty())
+      surface_->setSimple(*scene_.simple);
+    else
+      surface_->forgetSimple();
+  }
 }
 
-void Renderer::setVertices(std::shared_ptr<const SurfaceVertices> vertices,
-                           const SurfaceVertices* parted) {
-  unfinished_.reset();
-  if (!mesh_) return;
-  vertices_ = std::move(vertices);
-  if (uv_) return showParted(uv_->layout(), parted);
-  surface_->setVertices(*vertices_);
+void Renderer::showCharts(const render::Scene& before) {
+  const ModeSource &now = scene_.source, &then = before.source;
+  if (now.gauss != then.gauss) {
+    gauss_.reset();
+    if (now.gauss) gauss_.emplace(*now.gauss);
+  }
+  if (scene_.chartColors != before.chartColors && scene_.chartColors) {
+    charts_->paint(*scene_.chartColors);
+  }
+  if (now.segmentation != then.segmentation && now.segmentation) {
+    charts_->setSegmentation(*now.segmentation);
+  }
+  if (now.segmentation != then.segmentation || scene_.labels != before.labels) {
+    charts_->setLabels(shownLabels(scene_));
+  }
 }
 
-void Renderer::showParted(const UvLayout& layout, const SurfaceVertices* parted) {
-  surface_->setVertices(parted != nullptr ? *parted : *partedVertices(*vertices_, layout.corners));
+bool Renderer::showFlood(const render::Scene& before, std::size_t most) {
+  ModeSource& source = scene_.source;
+  if (source.record != before.source.record) flood_->follow(source.record);
+  const bool whole = flood_->update(source.recorded, most);
+  source.taken = flood_->size();
+  charts_->growTo(flood_->chartCount());
+  return whole;
 }
 
-void Renderer::setGaussArea(const GaussArea* gaussArea) {
-  gauss_.reset();
-  if (mesh_ && gaussArea) gauss_.emplace(gaussValues(*mesh_, *gaussArea));
-}
-
-void Renderer::setGaussValues(const GaussValues& values) {
-  if (mesh_) gauss_.emplace(values);
-}
-
-void Renderer::setSegmentation(const Segmentation* segmentation) {
-  if (mesh_) charts_->setSegmentation(segmentation);
-}
-
-void Renderer::setChartColors(std::span<const Index> numbers) {
-  if (mesh_) charts_->paint(numbers);
+void Renderer::showLines(const render::Scene& before) {
+  const bool otherLayout = scene_.source.layout != before.source.layout;
+  if (scene_.cuts != before.cuts) {
+    cuts_.reset();
+    if (scene_.cuts) cuts_.emplace(*mesh_, *scene_.cuts);
+  }
+  if (uv_ && (otherLayout || scene_.cuts != before.cuts)) {
+    uv_->setCuts(cuts_ ? std::span<const CutEdge>(cuts_->edges()) : std::span<const CutEdge>());
+  }
+  if (scene_.lines != before.lines) {
+    lines_.clear();
+    if (scene_.lines) {
+      for (const EdgeLines& each : *scene_.lines) {
+        lines_.push_back({CutLayer(*mesh_, each.sides), {{}, each.color, each.width, each.dashed}});
+      }
+    }
+  }
+  if (scene_.marks != before.marks) {
+    marks_.reset();
+    if (scene_.marks) marks_.emplace(*mesh_, *scene_.marks);
+  }
+  if (marks_ && (otherLayout || scene_.marks != before.marks)) {
+    marks_->setTexture(*mesh_, uv_ ? &uv_->layout() : nullptr);
+  }
 }
 
 std::span<const Index> Renderer::chartColorNumbers() const {
   return charts_ ? charts_->colorNumbers() : std::span<const Index>{};
 }
 
-void Renderer::setLabels(std::span<const Index> label) {
-  if (!mesh_) return;
-  if (!label.empty() && label.size() != mesh_->faceCount()) {
-    throw Error("There must be one label for each face.");
-  }
-  charts_->setLabels(label);
-}
-
-void Renderer::setChartAreas(std::span<const double> gaussArea) {
-  if (mesh_) charts_->setBalance(gaussArea);
-}
-
-void Renderer::setFlood(std::shared_ptr<const FloodRecord> record, std::size_t most) {
-  if (!mesh_) return;
-  flood_->follow(std::move(record));
-  updateFlood(most);
-}
-
-bool Renderer::updateFlood(std::size_t most) {
-  if (!mesh_) return true;
-  const bool whole = flood_->update(most);
-  charts_->growTo(flood_->chartCount());
-  return whole;
-}
-
-void Renderer::setTriangleValues(ColorMode mode, std::span<const float> values) {
-  if (!showsDistortion(mode)) throw Error("This colour mode takes no values for triangles.");
-  if (values.empty()) {
-    values_.erase(mode);
-    return;
-  }
-  if (!mesh_ || values.size() != mesh_->triangleCount()) {
-    throw Error("There must be one value for each triangle.");
-  }
-  ValueLayer& layer = values_[mode];
-  layer.values.upload<float>(GL_R32F, values);
-  layer.range = distortionRange(mode, values, mesh_->triangleArea());
-}
-
-void Renderer::setCornerUv(std::span<const glm::vec2> uv) {
-  if (!uv.empty() && (!mesh_ || uv.size() != 3 * mesh_->triangleCount())) {
-    throw Error("There must be three texture places for each triangle.");
-  }
-  if (uv.empty())
-    forgetUv();
-  else
-    setUvLayout(std::make_shared<const UvLayout>(uvLayout(*mesh_, uv)));
-}
-
-void Renderer::setUvLayout(std::shared_ptr<const UvLayout> layout, const SurfaceVertices* parted) {
-  if (!mesh_) return;
-  if (layout->empty()) return forgetUv();
-  unfinished_.reset();
-  surface_->forgetSimple();
-  showParted(*layout, parted);
-  uv_.emplace(mesh_, std::move(layout));
-  if (cuts_) uv_->setCuts(cuts_->edges());
-  if (marks_) marks_->setTexture(*mesh_, &uv_->layout());
-}
-
-void Renderer::forgetUv() {
-  if (!uv_) return;
-  unfinished_.reset();
-  surface_->forgetSimple();
-  surface_->setVertices(*vertices_);
-  uv_.reset();
-  if (marks_) marks_->setTexture(*mesh_, nullptr);
-}
-
-void Renderer::setMarks(const SurfaceMarks& marks) {
-  if (!mesh_) return;
-  marks_.emplace(*mesh_, marks);
-  marks_->setTexture(*mesh_, uv_ ? &uv_->layout() : nullptr);
-}
-
-void Renderer::setLines(std::span<const EdgeLines> lines) {
-  lines_.clear();
-  if (!mesh_) return;
-  for (const EdgeLines& each : lines) {
-    lines_.push_back({CutLayer(*mesh_, each.sides), {{}, each.color, each.width, each.dashed}});
-  }
-}
-
-void Renderer::setCuts(std::span<const Index> sides) {
-  if (!mesh_) return;
-  cuts_.emplace(*mesh_, sides);
-  if (uv_) uv_->setCuts(cuts_->edges());
-}
-
-bool Renderer::canShow(ColorMode mode) const {
-  if (!mesh_) return false;
-  if (mode == ColorMode::Shaded) return true;
-  if (isGauss(mode)) return gauss_.has_value();
-  if (showsDistortion(mode)) return values_.contains(mode);
-  if (mode == ColorMode::Checkerboard) return uv_.has_value();
-  if (mode == ColorMode::FloodTime || mode == ColorMode::FloodOrder) return flood_->size() > 0;
-  return charts_->labelled() || flood_->size() > 0;
-}
+bool Renderer::canShow(ColorMode mode) const { return chartflood::canShow(mode, scene_.source); }
 
 glm::vec3 Renderer::chartColor(Index chart, const RenderSettings& settings) const {
   if (!charts_ || chart >= charts_->chartCount()) return colors::kDry;
   return charts_->chartColor(chart, settings.palette);
 }
 
-std::optional<ScalarRange> Renderer::scalarRange(const RenderSettings& settings) const {
-  const ColorModeInfo& info = colorModeInfo(settings.colorMode);
-  if (*info.colorMap == '\0' || !canShow(settings.colorMode)) return std::nullopt;
-  ScalarRange range;
-  switch (settings.colorMode) {
-  case ColorMode::GaussVertex:
-    range = gauss_->vertexRange();
-    break;
-  case ColorMode::GaussEdge:
-    range = gauss_->edgeRange();
-    break;
-  case ColorMode::GaussFace:
-    range = gauss_->faceRange();
-    break;
-  case ColorMode::Gauss:
-    range.plainEnds = true;
-    break;
-  case ColorMode::Balance:
-    range = charts_->balanceRange();
-    break;
-  case ColorMode::Stretch:
-  case ColorMode::AreaDistortion:
-  case ColorMode::AngleDistortion:
-    range = values_.at(settings.colorMode).range;
-    break;
-  default:
-    break;  // shares run from 0 to 1
+Renderer::ValueLayer& Renderer::valuesOf(ColorMode mode) const {
+  const auto found = values_.find(mode);
+  if (found != values_.end()) return found->second;
+  ValueLayer& layer = values_[mode];
+  layer.of = neededBy(mode, scene_.source);
+  const ModeValues made = modeValues(mode, scene_.source);
+  layer.range = made.range;
+  layer.values.reserve(made.values.size());
+  for (const WeightedValue& each : made.values) {
+    layer.values.push_back(static_cast<float>(each.value));
   }
-  range.title = info.title;
-  range.unit = info.unit;
-  range.scale = info.scale;
-  return chosenRange(range, settings);
+  return layer;
+}
+
+std::optional<ScalarRange> Renderer::scalarRange(const RenderSettings& settings) const {
+  const ColorMode mode = settings.colorMode;
+  const ColorModeInfo& info = colorModeInfo(mode);
+  if (*info.colorMap == '\0' || !canShow(mode)) return std::nullopt;
+  // What a flood has taken is known on the graphics card alone.
+  const bool known = info.domain == ValueDomain::Flood || info.values == nullptr;
+  return chosenRange(known ? modeRange(mode, {}) : valuesOf(mode).range, settings);
 }
 
 }  // namespace chartflood

@@ -11,12 +11,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/model/corner_normals.h"
-#include "core/model/flood_record.h"
-#include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
-#include "core/model/segmentation.h"
-#include "core/model/triangle_tree.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
 #include "render/passes/chart_layer.h"
@@ -30,39 +25,18 @@
 #include "render/scene/camera.h"
 #include "render/scene/eye.h"
 #include "render/scene/label_places.h"
+#include "render/scene/pick.h"
 #include "render/scene/render_settings.h"
+#include "render/scene/scene.h"
 #include "render/scene/uv_camera.h"
 
 namespace chartflood {
 
-/// A seed to be marked.
-struct SeedMark {
-  Index face = kNone;
-  Index chart = kNone;    ///< whose colour it gets
-  bool emphasis = false;  ///< under the pointer
-  bool locked = false;    ///< larger, with a padlock
-  bool closed = false;    ///< with the bar of a closed road: the chart cannot grow
-
-  bool operator==(const SeedMark&) const = default;
-};
-
-/// What lies under a pixel.
-struct Pick {
-  Index triangle = kNone;
-  Index face = kNone;
-  Index chart = kNone;  ///< kNone where the face has none
-  glm::dvec3 point{0};  ///< on the surface, normalised units
-  bool hit() const { return triangle != kNone; }
-};
-
 /// With what a picture shows the surface.
 enum class SurfaceForm {
   Whole,
-  Simple,  ///< what setSimpleSurface() was given, where there is one
+  Simple,  ///< that of the scene, where it has one
 };
-
-/// The middle of a face: where its seed mark stands. Normalised units.
-glm::dvec3 faceMiddle(const Mesh& mesh, Index face);
 
 /// Every call needs the context in which the renderer was made to be current. Nothing is uploaded
 /// by draw() but the chart colours when they change.
@@ -70,52 +44,17 @@ class Renderer {
  public:
   Renderer();
 
-  /// Shows another mesh and forgets everything about the old one. Without normals each triangle is
-  /// shaded by its plane. Null: nothing is drawn but the ground.
-  void setMesh(std::shared_ptr<const Mesh> mesh, const CornerNormals* normals);
-  /// Normals after a change of the crease angle.
-  void setNormals(const CornerNormals* normals);
-  /// The same with the vertices of this mesh made before, on any thread; `parted` with the texture
-  /// places of the layout that is shown, if there is one. Null: it is made here.
-  void setVertices(std::shared_ptr<const SurfaceVertices> vertices,
-                   const SurfaceVertices* parted = nullptr);
-  void setGaussArea(const GaussArea* gaussArea);
-  /// The same with the values worked out before, on any thread.
-  void setGaussValues(const GaussValues& values);
-  void setSegmentation(const Segmentation* segmentation);
-  /// Other labels of the segmentation's charts, one a face, or none; colours of charts stay.
-  void setLabels(std::span<const Index> label);
-  /// Colours that the first charts begin with, as numbers of a palette's colours: what
-  /// chartColorNumbers() said another day.
-  void setChartColors(std::span<const Index> numbers);
-  /// Gauss area of each chart at the moment that is shown, for the colours of balance; those of the
-  /// segmentation until then.
-  void setChartAreas(std::span<const double> gaussArea);
-  /// Follows a record from its beginning; updateFlood() uploads what was added since. Of a long one
-  /// at most so many entries are taken in by one call; updateFlood() is false when some are left.
-  void setFlood(std::shared_ptr<const FloodRecord> record, std::size_t most = kWholeFlood);
-  bool updateFlood(std::size_t most = kWholeFlood);
+  /// Takes in what is another value than in the scene before: equal pointers cost nothing. Of a
+  /// long flood at most so many entries are taken in by one call; false when some are left for the
+  /// next one. \throws Error where a part cannot be of the mesh
+  bool show(const render::Scene& scene, std::size_t mostOfFlood = kWholeFlood);
   static constexpr std::size_t kWholeFlood = static_cast<std::size_t>(-1);
-  void setSeeds(std::span<const SeedMark> seeds);
-  /// Values of Stretch, AreaDistortion or AngleDistortion: one a triangle, NaN for none; empty to
-  /// forget them. \throws Error for another mode or number of values.
-  void setTriangleValues(ColorMode mode, std::span<const float> values);
-  /// Texture place of each corner, three a triangle, NaN for none; empty to forget them.
-  void setCornerUv(std::span<const glm::vec2> uv);
-  /// The same, worked out before on any thread, and the vertices that are shown parted by it.
-  void setUvLayout(std::shared_ptr<const UvLayout> layout, const SurfaceVertices* parted = nullptr);
-  /// Sides of the mesh along which charts are opened, in order along each path; empty: none.
-  void setCuts(std::span<const Index> sides);
-  /// More lines on the model, the first ones lowest; empty: none.
-  void setLines(std::span<const EdgeLines> lines);
-  /// Fewer triangles for pictures that ask for them, made of this mesh and textureLayout(); empty:
-  /// none. Other texture places end it; other normals do not.
-  void setSimpleSurface(const SimpleSurface& simple);
+  /// What was taken in last.
+  const render::Scene& scene() const { return scene_; }
+
   bool hasSimpleSurface() const;
   /// Pixels that its details take in such a picture; 0 without one.
   double simpleDetail(const Camera& camera, const PicturePart& part) const;
-  /// What pictures with RenderSettings::problems point at, on the model and in the texture.
-  void setMarks(const SurfaceMarks& marks);
 
   /// False while a mode has nothing to show; draw() then shows the plain surface.
   bool canShow(ColorMode mode) const;
@@ -131,8 +70,8 @@ class Renderer {
   void draw(const gl::Framebuffer& target, const Camera& camera, const RenderSettings& settings,
             const PicturePart& part);
 
-  /// Draws the texture: charts laid flat, in the colours of the mode. Nothing but the ground before
-  /// setCornerUv(). Light and seeds are left out, hidden charts too.
+  /// Draws the texture: charts laid flat, in the colours of the mode. Nothing but the ground
+  /// without a layout. Light and seeds are left out, hidden charts too.
   void drawUv(const gl::Framebuffer& target, const UvCamera& camera, const RenderSettings& settings,
               const UvStyle& style);
   void drawUv(const gl::Framebuffer& target, const UvCamera& camera, const RenderSettings& settings,
@@ -162,18 +101,14 @@ class Renderer {
     return unfinished_ && unfinished_->target == &target;
   }
 
-  /// Saves the first pick() from building the tree itself. \pre it is of the mesh
-  void setTree(std::shared_ptr<const TriangleTree> tree);
-  /// What lies under pixel (x, y), counted from the top left, of a picture. Charts that the last
-  /// draw() hid are seen through. Needs no context.
-  Pick pick(const Camera& camera, int width, int height, int x, int y);
   /// Triangle in each pixel, rows from the top, kNone where there is none.
   std::vector<Index> triangleImage(const Camera& camera, int width, int height);
   /// One place for the number of each chart that is visible with room for it.
   std::vector<ChartLabel> chartLabels(const Camera& camera, const RenderSettings& settings,
                                       int width, int height);
 
-  /// The same for pictures of the texture; `point` is the place on the surface.
+  /// What lies under pixel (x, y), counted from the top left, of a picture of the texture; `point`
+  /// is the place on the surface. Charts that the last draw() hid are seen through.
   Pick pickUv(const UvCamera& camera, int width, int height, int x, int y);
   std::vector<Index> triangleImage(const UvCamera& camera, int width, int height);
 
@@ -190,9 +125,12 @@ class Renderer {
   std::span<const Index> chartColorNumbers() const;
 
  private:
+  /// Values of a mode, worked out when they are first drawn.
   struct ValueLayer {
-    gl::TextureBuffer values;
+    ModeSource of;
+    std::vector<float> values;
     ScalarRange range;
+    gl::TextureBuffer onCard;  ///< of triangles, once they are drawn
   };
   /// What the passes of one picture share.
   struct Frame {
@@ -225,15 +163,20 @@ class Renderer {
   static float dashLength(float pixel, const RenderSettings& settings);
   Index shownChart(Index triangle, const RenderSettings& settings) const;
   unsigned hoveredChart(const RenderSettings& settings) const;
-  void forgetUv();
-  void showParted(const UvLayout& layout, const SurfaceVertices* parted);
+  void showMesh(const render::Scene& scene);
+  void showVertices(const render::Scene& before);
+  void showCharts(const render::Scene& before);
+  bool showFlood(const render::Scene& before, std::size_t most);
+  void showLines(const render::Scene& before);
+  ValueLayer& valuesOf(ColorMode mode) const;
 
   void drawBackground(const Frame& frame);
   std::size_t drawnTriangles(const Frame& frame) const;
   /// Draws up to so many triangles from `first` on; returns the first one that is left.
   std::size_t drawSurface(const Frame& frame, std::size_t first, std::size_t count);
   bool drawSurfacePieces(const Frame& frame, Unfinished& picture, double seconds);
-  int fillNumber(const RenderSettings& settings) const;
+  void updateCharts(const RenderSettings& settings);
+  SurfaceFill fillOf(const RenderSettings& settings) const;
   gl::Program& surfaceProgram(const Frame& frame);
   void setChecker(gl::Program& program, const RenderSettings& settings);
   void bindCheckerPicture(std::shared_ptr<const Image> picture);
@@ -259,7 +202,6 @@ class Renderer {
   void useColorMap(const RenderSettings& settings);
   std::vector<GLuint> drawIds(gl::Program& program, const Eye& eye, int width, int height,
                               const RenderSettings& settings);
-  Pick pickOf(Index triangle) const;
 
   gl::Program backgroundProgram_, lineProgram_, pointProgram_, idProgram_, idUvProgram_;
   std::map<std::vector<std::string>, gl::Program> surfacePrograms_;  // by their macros
@@ -268,14 +210,14 @@ class Renderer {
   std::string loadedMap_;
   Overlay overlay_;
 
+  render::Scene scene_;
   std::shared_ptr<const Mesh> mesh_;
   BoundingSphere bounds_;
-  std::shared_ptr<const SurfaceVertices> vertices_;  ///< without texture places
   std::optional<SurfaceMesh> surface_;
   std::optional<ChartLayer> charts_;
   std::optional<FloodLayer> flood_;
   std::optional<GaussLayer> gauss_;
-  std::map<ColorMode, ValueLayer> values_;
+  mutable std::map<ColorMode, ValueLayer> values_;
   std::optional<UvLayer> uv_;
   std::optional<CutLayer> cuts_;
   /// Lines on the graphics card.
@@ -288,9 +230,7 @@ class Renderer {
   gl::TextureBuffer seeds_, checkerGlyphs_;
   gl::Texture checkerPicture_;
   std::shared_ptr<const Image> loadedPicture_;  // in checkerPicture_
-  std::shared_ptr<const TriangleTree> tree_;    // null until it is given or needed
   RenderSettings lastSettings_;  // of the last picture: what is hidden there cannot be picked
-  std::vector<SeedMark> seedMarks_;
   std::vector<glm::vec4> uploadedSeeds_;
   std::optional<Unfinished> unfinished_;
 };

@@ -89,13 +89,12 @@ void Renderer::beginDrawing(const gl::Framebuffer& target, const Camera& camera,
   begin(std::move(picture));
 }
 
-void Renderer::setSimpleSurface(const SimpleSurface& simple) {
-  if (!mesh_) return;
-  unfinished_.reset();
-  if (simple.empty())
-    surface_->forgetSimple();
-  else
-    surface_->setSimple(simple);
+/// Values of charts are those of the mode, where it has some.
+void Renderer::updateCharts(const RenderSettings& settings) {
+  const bool valued = fillOf(settings) == SurfaceFill::ChartValue;
+  charts_->update(settings, flood_->longestTime(),
+                  valued ? std::span<const float>(valuesOf(settings.colorMode).values)
+                         : std::span<const float>());
 }
 
 bool Renderer::hasSimpleSurface() const { return mesh_ && surface_->simpleCount() > 0; }
@@ -148,7 +147,7 @@ bool Renderer::continueDrawing(double seconds) {
     glDisable(GL_DEPTH_TEST);
   else
     glEnable(GL_DEPTH_TEST);
-  if (mesh_) charts_->update(picture.settings, flood_->longestTime());
+  if (mesh_) updateCharts(picture.settings);
   const bool ready = drawSurfacePieces(frame, picture, seconds);
   if (ready && frame.inTexture)
     finishUv(frame, picture);

@@ -63,7 +63,9 @@ void Renderer::drawLines(const Frame& frame) {
   lineProgram_.use();
   setEye(lineProgram_, frame.eye);
   setScale(lineProgram_, ScalarRange{}, settings);
-  if (settings.sharpEdges && gauss_ && mode != ColorMode::GaussEdge && mode != ColorMode::Gauss) {
+  const ColorMode onEdges = modeOfElement(mode, ValueDomain::Edge);
+  const bool valued = colorModeInfo(onEdges).domain == ValueDomain::Edge;
+  if (settings.sharpEdges && gauss_ && !valued) {
     gauss_->bindEdges(units::kValues);
     drawSegments(frame, gauss_->edgeCount(), glm::vec2(1.4f), kChalk);
   }
@@ -93,25 +95,14 @@ void Renderer::drawLines(const Frame& frame) {
     drawSegments(frame, count, glm::vec2(line.look.width), glm::vec4(line.look.color, 1),
                  line.look.dashed ? frame.dash : 0);
   }
-  if (mode == ColorMode::GaussEdge || mode == ColorMode::Gauss) {
-    ScalarRange range = gauss_->edgeRange();
-    range.scale = ScalarScale::Root;
-    setScale(lineProgram_, mode == ColorMode::Gauss ? range : *scalarRange(settings), settings);
+  if (valued) {
+    setScale(lineProgram_, onEdges == mode ? *scalarRange(settings) : valuesOf(onEdges).range,
+             settings);
     gauss_->bindEdges(units::kValues);
     // All dark outlines lie under all colours, or they would cut the chain into pieces.
     drawSegments(frame, gauss_->edgeCount(), {3.2f, 6.2f}, kInk);
     drawSegments(frame, gauss_->edgeCount(), {1.6f, 4.4f}, kByValue);
   }
-}
-
-void Renderer::setSeeds(std::span<const SeedMark> seeds) {
-  seedMarks_.assign(seeds.begin(), seeds.end());
-  if (!mesh_) return;
-  std::vector<glm::dvec3> places;
-  for (const SeedMark& seed : seedMarks_) {
-    if (seed.chart == places.size()) places.push_back(faceMiddle(*mesh_, seed.face));
-  }
-  charts_->setSeeds(places);
 }
 
 void Renderer::drawMarks(const Frame& frame) {
@@ -124,10 +115,10 @@ void Renderer::drawMarks(const Frame& frame) {
   setEye(program, frame.eye);
   program.set("uPoints", static_cast<int>(units::kValues));
   program.set("uOpacity", 1.0f);
-  if (mode == ColorMode::GaussVertex || mode == ColorMode::Gauss) {
-    ScalarRange range = gauss_->vertexRange();
-    range.scale = ScalarScale::Root;
-    setScale(program, mode == ColorMode::Gauss ? range : *scalarRange(settings), settings);
+  const ColorMode onVertices = modeOfElement(mode, ValueDomain::Vertex);
+  if (colorModeInfo(onVertices).domain == ValueDomain::Vertex) {
+    setScale(program, onVertices == mode ? *scalarRange(settings) : valuesOf(onVertices).range,
+             settings);
     gauss_->bindVertices(units::kValues);
     program.set("uByValue", 1);
     program.set("uBall", 0);
@@ -135,7 +126,7 @@ void Renderer::drawMarks(const Frame& frame) {
     program.set("uRadii", glm::vec2(2.6f, 7.0f) * scale);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * gauss_->vertexCount()));
   }
-  if (!settings.seedMarks || seedMarks_.empty()) return;
+  if (!settings.seedMarks || !scene_.seeds || scene_.seeds->empty()) return;
   setScale(program, ScalarRange{}, settings);
   uploadSeeds(settings);
   seeds_.bind(units::kValues);
@@ -156,7 +147,7 @@ void Renderer::drawMarks(const Frame& frame) {
 void Renderer::uploadSeeds(const RenderSettings& settings) {
   std::vector<glm::vec4> texels;
   const std::vector<Index>& hidden = settings.hiddenCharts;
-  for (const SeedMark& seed : seedMarks_) {
+  for (const SeedMark& seed : *scene_.seeds) {
     if (std::find(hidden.begin(), hidden.end(), seed.chart) != hidden.end()) continue;
     texels.emplace_back(glm::vec3(faceMiddle(*mesh_, seed.face)), 0.0f);
     texels.emplace_back(chartColor(seed.chart, settings), (seed.emphasis ? 1.0f : 0.0f) +
@@ -166,17 +157,6 @@ void Renderer::uploadSeeds(const RenderSettings& settings) {
   if (texels == uploadedSeeds_) return;
   seeds_.upload<glm::vec4>(GL_RGBA32F, texels);
   uploadedSeeds_ = std::move(texels);
-}
-
-glm::dvec3 faceMiddle(const Mesh& mesh, Index face) {
-  glm::dvec3 sum(0);
-  double weight = 0;
-  for (Index t = mesh.triangleBegin(face); t < mesh.triangleBegin(face + 1); ++t) {
-    const double area = std::max(mesh.triangleArea()[t], 1e-30);
-    for (const Index vertex : mesh.triangles()[t]) sum += mesh.positions()[vertex] * (area / 3);
-    weight += area;
-  }
-  return sum / weight;
 }
 
 }  // namespace chartflood

@@ -2,12 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
-#include <glm/gtc/matrix_inverse.hpp>
-
-#include "core/base/check.h"
 #include "render/gl/objects.h"
 #include "render/passes/renderer.h"
 #include "render/passes/texture_units.h"
@@ -55,7 +51,7 @@ std::vector<Index> fromTop(const std::vector<GLuint>& ids, int width, int height
 std::vector<GLuint> Renderer::drawIds(gl::Program& program, const Eye& eye, int width, int height,
                                       const RenderSettings& settings) {
   const gl::FramebufferScope keep;
-  charts_->update(settings, flood_->longestTime());
+  updateCharts(settings);
   const IdTarget target(width, height);
   const GLuint none[4] = {0, 0, 0, 0};
   const GLfloat farthest = 1;
@@ -81,41 +77,6 @@ std::vector<GLuint> Renderer::drawIds(gl::Program& program, const Eye& eye, int 
   glUseProgram(0);
   glActiveTexture(GL_TEXTURE0);
   return ids;
-}
-
-Pick Renderer::pickOf(Index triangle) const {
-  Pick pick;
-  pick.triangle = triangle;
-  pick.face = mesh_->faceOf(triangle);
-  pick.chart = charts_->chartOf(triangle);
-  return pick;
-}
-
-void Renderer::setTree(std::shared_ptr<const TriangleTree> tree) {
-  CF_CHECK(tree == nullptr || tree->mesh() == mesh_);
-  tree_ = std::move(tree);
-}
-
-Pick Renderer::pick(const Camera& camera, int width, int height, int x, int y) {
-  if (!mesh_ || x < 0 || y < 0 || x >= width || y >= height) return {};
-  if (!tree_) tree_ = std::make_shared<TriangleTree>(mesh_);
-  const glm::dmat4 toSpace =
-      glm::inverse(camera.projectionMatrix(double(width) / height, bounds_) * camera.viewMatrix());
-  const auto inSpace = [&](double depth) {
-    const glm::dvec4 point =
-        toSpace * glm::dvec4(2 * (x + 0.5) / width - 1, 1 - 2 * (y + 0.5) / height, depth, 1);
-    return glm::dvec3(point) / point.w;
-  };
-  const std::vector<Index>& hidden = lastSettings_.hiddenCharts;
-  std::function<bool(Index)> counts;
-  if (!hidden.empty()) {
-    counts = [&](Index triangle) { return !holdsChart(hidden, charts_->chartOf(triangle)); };
-  }
-  const auto hit = tree_->first(inSpace(-1), inSpace(1), counts);
-  if (!hit) return {};
-  Pick pick = pickOf(hit->triangle);
-  pick.point = hit->point;
-  return pick;
 }
 
 std::vector<Index> Renderer::triangleImage(const Camera& camera, int width, int height) {
@@ -152,7 +113,10 @@ Pick Renderer::pickUv(const UvCamera& camera, int width, int height, int x, int 
   const std::vector<GLuint> ids =
       drawIds(idUvProgram_, makeEye(camera, pixel), 1, 1, lastSettings_);
   if (ids[0] == 0) return {};
-  Pick pick = pickOf(ids[0] - 1);
+  Pick pick;
+  pick.triangle = ids[0] - 1;
+  pick.face = mesh_->faceOf(pick.triangle);
+  pick.chart = charts_->chartOf(pick.triangle);
   const glm::dvec2 uv = camera.toUv({x + 0.5, y + 0.5}, {width, height});
   pick.point = uv_->surfacePoint(pick.triangle, uv);
   return pick;

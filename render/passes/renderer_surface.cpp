@@ -16,9 +16,6 @@ namespace chartflood {
 
 namespace {
 
-// Values of FILL in surface.frag.
-enum Fill { kNoFill, kCharts, kTriangleValue, kChartValue, kFloodTime, kFloodOrder, kChecker };
-
 /// Without a picture there are squares.
 CheckerKind shownChecker(const RenderSettings& settings) {
   const bool bare = settings.checkerKind == CheckerKind::Picture && !settings.checkerPicture;
@@ -118,33 +115,19 @@ void Renderer::bindCheckerPicture(std::shared_ptr<const Image> picture) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
 }
 
-int Renderer::fillNumber(const RenderSettings& settings) const {
-  switch (canShow(settings.colorMode) ? settings.colorMode : ColorMode::Shaded) {
-  case ColorMode::Shaded:
-  case ColorMode::GaussVertex:
-  case ColorMode::GaussEdge:
-    return kNoFill;
-  case ColorMode::Charts:
-    return kCharts;
-  case ColorMode::Balance:
-    return kChartValue;
-  case ColorMode::FloodTime:
-    return kFloodTime;
-  case ColorMode::FloodOrder:
-    return kFloodOrder;
-  case ColorMode::Checkerboard:
-    return kChecker;
-  default:
-    return kTriangleValue;
-  }
+SurfaceFill Renderer::fillOf(const RenderSettings& settings) const {
+  const ColorMode mode = settings.colorMode;
+  return canShow(mode) ? colorModeInfo(mode).fill : SurfaceFill::Plain;
 }
 
 gl::Program& Renderer::surfaceProgram(const Frame& frame) {
   const RenderSettings& settings = frame.settings;
-  const int fill = fillNumber(settings);
-  std::vector<std::string> macros{"FILL " + std::to_string(fill)};
+  const SurfaceFill fill = fillOf(settings);
+  std::vector<std::string> macros = fillMacros(fill);
   if (frame.inTexture) macros.push_back("IN_TEXTURE");
-  if (settings.playhead || fill == kFloodTime || fill == kFloodOrder) macros.push_back("FLOOD");
+  if (settings.playhead || fill == SurfaceFill::FloodTime || fill == SurfaceFill::FloodOrder) {
+    macros.push_back("FLOOD");
+  }
   if (settings.playhead) macros.push_back("PLAY");
   if (!settings.hiddenCharts.empty() || !settings.selectedCharts.empty()) {
     macros.push_back("STATES");
@@ -159,7 +142,7 @@ gl::Program& Renderer::surfaceProgram(const Frame& frame) {
   }
   if (settings.edges && !frame.simple) macros.push_back("WIRE");
   if (settings.problems && marks_ && marks_->marksTriangles()) macros.push_back("MARKS");
-  if (fill == kChecker) {
+  if (fill == SurfaceFill::Checker) {
     macros.push_back("CHECKER " + std::to_string(static_cast<int>(shownChecker(settings))));
   }
   const auto found = surfacePrograms_.find(macros);
@@ -171,21 +154,22 @@ gl::Program& Renderer::surfaceProgram(const Frame& frame) {
 void Renderer::setFill(gl::Program& program, const Frame& frame) {
   const RenderSettings& settings = frame.settings;
   const ColorMode mode = canShow(settings.colorMode) ? settings.colorMode : ColorMode::Shaded;
-  const bool marksAlone = mode == ColorMode::GaussVertex || mode == ColorMode::GaussEdge;
+  const ValueDomain domain = colorModeInfo(mode).domain;
+  const bool marksAlone = domain == ValueDomain::Vertex || domain == ValueDomain::Edge;
   program.set("uPlainColor", marksAlone ? colors::kCalm : colors::kClay);
   program.set("uDryColor", colors::kDry);
   program.set("uClamp", settings.clampColors ? 1 : 0);
   std::optional<ScalarRange> range = scalarRange(settings);
-  if (mode == ColorMode::Gauss) {
-    range = gauss_->faceRange();
-    range->scale = settings.scale.value_or(ScalarScale::Linear);
+  const ColorMode onTriangles = modeOfElement(mode, ValueDomain::Triangle);
+  if (onTriangles != mode) {  // each kind of element has its own range
+    range = valuesOf(onTriangles).range;
+    if (settings.scale) range->scale = *settings.scale;
   }
   setScale(program, range.value_or(ScalarRange{}), settings);
-  if (mode == ColorMode::GaussFace || mode == ColorMode::Gauss) {
-    gauss_->bindFaceValues(units::kValues);
-  } else if (showsDistortion(mode)) {
-    values_.at(mode).values.bind(units::kValues);
-  }
+  if (fillOf(settings) != SurfaceFill::TriangleValue) return;
+  ValueLayer& layer = valuesOf(onTriangles);
+  if (!layer.onCard) layer.onCard.upload<float>(GL_R32F, layer.values);
+  layer.onCard.bind(units::kValues);
 }
 
 void Renderer::setTriangleMarks(gl::Program& program, const Frame& frame) {

@@ -68,12 +68,10 @@ void SurfaceArrays::draw(std::size_t first, std::size_t count) const {
   glBindVertexArray(0);
 }
 
-SurfaceMesh::SurfaceMesh(const Mesh& mesh, const SurfaceVertices& vertices)
-    : triangleCount_(mesh.triangleCount()) {
+SurfaceMesh::SurfaceMesh(const Mesh& mesh) : triangleCount_(mesh.triangleCount()) {
   // Pieces may face different ways, so only a single one tells which side is outside.
   culled_ = mesh.closed() && mesh.componentCount() == 1;
   insideOut_ = culled_ && signedVolume(mesh) < 0;
-  setVertices(vertices);
   innerSides_.upload<std::uint8_t>(GL_R8UI, innerSides(mesh));
 }
 

@@ -7,8 +7,8 @@
 
 #include "core/model/mesh.h"
 #include "render/gl/objects.h"
-#include "render/passes/simple_surface.h"
-#include "render/passes/surface_vertices.h"
+#include "render/scene/simple_surface.h"
+#include "render/scene/surface_vertices.h"
 
 namespace chartflood {
 
@@ -18,6 +18,7 @@ class SurfaceArrays {
   SurfaceArrays() : vertexArray_(gl::VertexArray::create()) {}
 
   void upload(const SurfaceVertices& vertices);
+  bool uploaded() const { return static_cast<bool>(vertices_); }
   bool hasNormals() const { return hasNormals_; }
   /// Attributes 0: place, 1: normal, 2: texture place and scale.
   void draw(std::size_t first, std::size_t count) const;
@@ -34,14 +35,15 @@ class SurfaceArrays {
 /// if wanted, a simple form with far fewer.
 class SurfaceMesh {
  public:
-  /// Uploads places and normals of the mesh's vertices.
-  SurfaceMesh(const Mesh& mesh, const SurfaceVertices& vertices);
+  /// Has nothing to draw before setVertices().
+  explicit SurfaceMesh(const Mesh& mesh);
 
-  /// The same mesh with other normals, with other texture places or without.
+  /// Uploads places and normals of the mesh's vertices, with texture places or without.
   void setVertices(const SurfaceVertices& vertices);
   void setSimple(const SimpleSurface& simple);
   void forgetSimple() { simple_.reset(); }
 
+  bool hasVertices() const { return arrays_.uploaded(); }
   std::size_t triangleCount() const { return triangleCount_; }
   bool hasNormals() const { return arrays_.hasNormals(); }
   /// The triangles of a closed surface in one piece face inwards.

@@ -4,45 +4,12 @@
 #include <array>
 #include <charconv>
 
-#include "core/base/check.h"
 #include "core/base/error.h"
 #include "render/scene/color_map.h"
 
 namespace chartflood {
 
 namespace {
-
-constexpr ColorModeInfo kModes[] = {
-    {ColorMode::Shaded, "shaded", "Plain shaded", "", "", ScalarScale::Linear, "",
-     "The shape alone."},
-    {ColorMode::Charts, "charts", "Charts", "", "", ScalarScale::Linear, "",
-     "One colour a chart; neighbours differ."},
-    {ColorMode::GaussVertex, "gauss-vertex", "Gauss area: vertices", "Gauss area of vertices", "sr",
-     ScalarScale::Root, "ember", "Corners, larger and redder the more area their normals span."},
-    {ColorMode::GaussEdge, "gauss-edge", "Gauss area: edges", "Gauss area of edges, per length",
-     "sr/d", ScalarScale::Root, "ember",
-     "Creases, thicker and redder the more area their normals span; d is the model's diagonal."},
-    {ColorMode::GaussFace, "gauss-face", "Gauss area: faces", "Gauss area per area", "sr/d\u00B2",
-     ScalarScale::Linear, "ember",
-     "How much area the normals of a face span for its size; d is the model's diagonal."},
-    {ColorMode::Gauss, "gauss", "Gauss area: all", "Gauss area", "", ScalarScale::Linear, "ember",
-     "Vertices, edges and faces together, each kind on its own range."},
-    {ColorMode::Balance, "balance", "Balance", "Gauss area of charts against the mean", "%",
-     ScalarScale::Linear, "blue-orange",
-     "White charts carry the mean, blue ones less, orange more."},
-    {ColorMode::FloodTime, "flood-time", "Flood time", "Time within its chart", "",
-     ScalarScale::Linear, "viridis", "When a face was taken, as a share of its chart's own time."},
-    {ColorMode::FloodOrder, "flood-order", "Flood order", "Share of all faces taken", "",
-     ScalarScale::Linear, "viridis", "When a face was taken, counted over all charts."},
-    {ColorMode::Stretch, "stretch", "Stretch", "Stretch (L2)", "", ScalarScale::Log, "ember",
-     "How much a face is stretched by the unwrap; 1 is not at all."},
-    {ColorMode::AreaDistortion, "area-distortion", "Area distortion", "Area distortion, log2", "",
-     ScalarScale::Linear, "purple-green", "White faces keep their share of area."},
-    {ColorMode::AngleDistortion, "angle-distortion", "Angle distortion", "Angle distortion", "",
-     ScalarScale::Log, "ember", "Longer over shorter axis of a small circle; 1 is round."},
-    {ColorMode::Checkerboard, "checkerboard", "Checkerboard", "", "", ScalarScale::Linear, "",
-     "Squares of the texture: they stay square and of one size where the unwrap is good."},
-};
 
 constexpr const char* kCheckerKinds[] = {"squares", "numbers", "circles", "picture"};
 
@@ -75,29 +42,6 @@ bool parseTriple(std::string_view text, glm::vec3& color) {
 }
 
 }  // namespace
-
-std::span<const ColorModeInfo> colorModeTable() { return kModes; }
-
-const ColorModeInfo& colorModeInfo(ColorMode mode) {
-  const ColorModeInfo& info = kModes[static_cast<std::size_t>(mode)];
-  CF_CHECK(info.mode == mode);
-  return info;
-}
-
-const ColorModeInfo* findColorMode(std::string_view id) {
-  const auto found = std::find_if(std::begin(kModes), std::end(kModes),
-                                  [&](const ColorModeInfo& m) { return m.id == id; });
-  return found == std::end(kModes) ? nullptr : &*found;
-}
-
-bool showsDistortion(ColorMode mode) {
-  return mode == ColorMode::Stretch || mode == ColorMode::AreaDistortion ||
-         mode == ColorMode::AngleDistortion;
-}
-
-bool needsUnwrap(ColorMode mode) {
-  return showsDistortion(mode) || mode == ColorMode::Checkerboard;
-}
 
 CheckerKind checkerKindFromId(std::string_view id) {
   const auto found = std::find(std::begin(kCheckerKinds), std::end(kCheckerKinds), id);

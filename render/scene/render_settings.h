@@ -14,6 +14,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/index.h"
+#include "render/scene/color_modes.h"
 
 namespace chartflood {
 
@@ -22,30 +23,6 @@ class Image;
 /// How fine a checkerboard can be.
 inline constexpr double kFewestCheckerSquares = 1, kMostCheckerSquares = 1000;
 inline constexpr int kMostCheckerRepeats = 64;
-
-/// What the colours of the model say.
-enum class ColorMode {
-  Shaded,
-  Charts,
-  GaussVertex,
-  GaussEdge,
-  GaussFace,
-  Gauss,
-  Balance,
-  FloodTime,
-  FloodOrder,
-  Stretch,
-  AreaDistortion,
-  AngleDistortion,
-  Checkerboard,
-};
-
-/// How values run along the colours.
-enum class ScalarScale {
-  Linear,
-  Root,  ///< square root of the distance from the lower end: small values get more room
-  Log,
-};
 
 /// What stands on the checkerboard.
 enum class CheckerKind {
@@ -57,27 +34,6 @@ enum class CheckerKind {
 /// "squares", "numbers", "circles", "picture". \throws UsageError otherwise.
 CheckerKind checkerKindFromId(std::string_view id);
 const char* checkerKindId(CheckerKind kind);
-
-/// What is known of a colour mode.
-struct ColorModeInfo {
-  ColorMode mode;
-  const char* id;        ///< option value
-  const char* label;     ///< menu text
-  const char* title;     ///< above the scalar bar, "" for modes without one
-  const char* unit;      ///< of the values, "" for plain numbers
-  ScalarScale scale;     ///< unless chosen otherwise
-  const char* colorMap;  ///< unless chosen otherwise, "" for modes without one
-  const char* help;      ///< one sentence
-};
-/// One row a mode, in the order of the enumeration.
-std::span<const ColorModeInfo> colorModeTable();
-const ColorModeInfo& colorModeInfo(ColorMode mode);
-/// The mode with this id, or nullptr.
-const ColorModeInfo* findColorMode(std::string_view id);
-/// Stretch, area or angle distortion: one value a triangle, from an unwrap.
-bool showsDistortion(ColorMode mode);
-/// The mode has nothing to show before the charts are laid flat.
-bool needsUnwrap(ColorMode mode);
 
 /// The ground behind the model; sRGB in [0, 1].
 struct Background {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/scene/render_settings.h"
+#include "render/scene/color_modes.h"
 
 namespace chartflood {
 

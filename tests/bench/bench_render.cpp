@@ -15,7 +15,7 @@
 #include "render/gl/framebuffer.h"
 #include "render/gl/offscreen_context.h"
 #include "render/passes/renderer.h"
-#include "render/passes/simple_surface.h"
+#include "render/scene/simple_surface.h"
 
 namespace chartflood {
 namespace {
@@ -83,6 +83,22 @@ std::vector<glm::vec2> wedgeUv(const Mesh& mesh, const Segmentation& segmentatio
   return uv;
 }
 
+std::shared_ptr<const UvLayout> wedgeLayout(const Mesh& mesh, const Segmentation& segmentation) {
+  return std::make_shared<const UvLayout>(uvLayout(mesh, wedgeUv(mesh, segmentation)));
+}
+
+render::Scene sceneOf(const std::shared_ptr<const Mesh>& mesh) {
+  render::Scene scene;
+  scene.source.mesh = mesh;
+  return scene;
+}
+
+render::Scene sceneOf(const std::shared_ptr<const Mesh>& mesh, const Segmentation& segmentation) {
+  render::Scene scene = sceneOf(mesh);
+  scene.source.segmentation = std::make_shared<const Segmentation>(segmentation);
+  return scene;
+}
+
 enum Look { kCharts, kWire, kPlain, kSquares, kNumbers, kCircles };
 
 void setLook(RenderSettings& settings, long look) {
@@ -102,14 +118,15 @@ void frame(benchmark::State& state) {
   const CornerNormals normals = torusNormals(*mesh);
   const Segmentation segmentation = wedges(*mesh);
   Renderer renderer;
-  renderer.setMesh(mesh, &normals);
-  renderer.setSegmentation(&segmentation);
+  render::Scene scene = sceneOf(mesh, segmentation);
+  scene.vertices = surfaceVertices(*mesh, &normals);
   Camera camera;
   camera.look(StandardView::Oblique);
   camera.frame(mesh->positions(), 1.6);
   RenderSettings settings;
   setLook(settings, state.range(2));
-  if (state.range(2) >= kSquares) renderer.setCornerUv(wedgeUv(*mesh, segmentation));
+  if (state.range(2) >= kSquares) scene.source.layout = wedgeLayout(*mesh, segmentation);
+  renderer.show(scene);
   const gl::Framebuffer target(1280, 800, static_cast<int>(state.range(1)));
   renderer.draw(target, camera, settings);  // compiles the shaders
   glFinish();
@@ -135,10 +152,12 @@ void simpleFrame(benchmark::State& state) {
   const CornerNormals normals = torusNormals(*mesh);
   const auto vertices = surfaceVertices(*mesh, &normals);
   Renderer renderer;
-  renderer.setMesh(mesh, &normals);
+  render::Scene scene = sceneOf(mesh);
+  scene.vertices = vertices;
+  renderer.show(scene);
   const auto start = std::chrono::steady_clock::now();
-  renderer.setSimpleSurface(
-      *simpleSurface(*mesh, *vertices, nullptr, static_cast<std::size_t>(state.range(1))));
+  scene.simple = simpleSurface(*mesh, *vertices, nullptr, static_cast<std::size_t>(state.range(1)));
+  renderer.show(scene);
   state.counters["made_ms"] =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   Camera camera;
@@ -170,9 +189,9 @@ void uvFrame(benchmark::State& state) {
   const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
   const Segmentation segmentation = wedges(*mesh);
   Renderer renderer;
-  renderer.setMesh(mesh, nullptr);
-  renderer.setSegmentation(&segmentation);
-  renderer.setCornerUv(wedgeUv(*mesh, segmentation));
+  render::Scene scene = sceneOf(mesh, segmentation);
+  scene.source.layout = wedgeLayout(*mesh, segmentation);
+  renderer.show(scene);
   RenderSettings settings;
   settings.numbers = true;
   setLook(settings, state.range(2));
@@ -200,9 +219,9 @@ void pickUv(benchmark::State& state) {
   const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
   const Segmentation segmentation = wedges(*mesh);
   Renderer renderer;
-  renderer.setMesh(mesh, nullptr);
-  renderer.setSegmentation(&segmentation);
-  renderer.setCornerUv(wedgeUv(*mesh, segmentation));
+  render::Scene scene = sceneOf(mesh, segmentation);
+  scene.source.layout = wedgeLayout(*mesh, segmentation);
+  renderer.show(scene);
   for (auto _ : state) benchmark::DoNotOptimize(renderer.pickUv({}, 500, 600, 200, 300).triangle);
 }
 BENCHMARK(pickUv)
@@ -220,12 +239,14 @@ void layOut(benchmark::State& state) {
   const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
   const std::vector<glm::vec2> uv = wedgeUv(*mesh, wedges(*mesh));
   Renderer renderer;
-  renderer.setMesh(mesh, nullptr);
+  render::Scene scene = sceneOf(mesh);
+  renderer.show(scene);
   double uploading = 0;
   for (auto _ : state) {
     auto layout = std::make_shared<const UvLayout>(uvLayout(*mesh, uv));
     const auto start = std::chrono::steady_clock::now();
-    renderer.setUvLayout(std::move(layout));
+    scene.source.layout = std::move(layout);
+    renderer.show(scene);
     glFinish();
     uploading +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -247,7 +268,10 @@ void upload(benchmark::State& state) {
   const CornerNormals normals = torusNormals(*mesh);
   Renderer renderer;
   for (auto _ : state) {
-    renderer.setMesh(mesh, &normals);
+    renderer.show({});
+    render::Scene scene = sceneOf(mesh);
+    scene.vertices = surfaceVertices(*mesh, &normals);
+    renderer.show(scene);
     glFinish();
   }
 }
@@ -265,18 +289,19 @@ void followFlood(benchmark::State& state) {
   const gl::CurrentScope current(*context);
   const auto mesh = torus(static_cast<std::size_t>(state.range(0)));
   Renderer renderer;
-  renderer.setMesh(mesh, nullptr);
+  render::Scene scene = sceneOf(mesh);
   const std::size_t faces = mesh->faceCount();
   for (auto _ : state) {
     const auto record = std::make_shared<FloodRecord>(faces);
-    renderer.setFlood(record);
+    scene.source.record = record;
     for (std::size_t step = 0; step < 100; ++step) {
       for (std::size_t f = step * faces / 100; f < (step + 1) * faces / 100; ++f) {
         record->append(static_cast<Index>(f % 20 * (faces / 20) + f / 20 % (faces / 20)),
                        static_cast<Index>(f % 20), static_cast<float>(f));
       }
       record->publish();
-      renderer.updateFlood();
+      scene.source.recorded = record->size();
+      renderer.show(scene);
     }
   }
 }

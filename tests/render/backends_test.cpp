@@ -4,6 +4,7 @@
 #include "render/gl/offscreen_context.h"
 #include "render/passes/offscreen_render.h"
 #include "render/passes/renderer.h"
+#include "tests/render/scene.h"
 #include "tests/render/shapes.h"
 
 namespace chartflood {
@@ -14,7 +15,7 @@ Image drawWith(gl::OffscreenBackend backend) {
   const gl::CurrentScope current(*context);
   Renderer renderer;
   const auto mesh = test::ball(10);
-  renderer.setMesh(mesh, nullptr);
+  renderer.show(test::sceneOf(mesh));
   Camera camera;
   camera.look(StandardView::Oblique);
   camera.frame(mesh->positions(), 1.25);
@@ -56,7 +57,7 @@ TEST(Backends, TwoContextsKeepTheirOwnThings) {
   const auto makeRenderer = [&](gl::Context& context, const std::shared_ptr<const Mesh>& shown) {
     const gl::CurrentScope current(context);
     auto renderer = std::make_unique<Renderer>();
-    renderer->setMesh(shown, nullptr);
+    renderer->show(test::sceneOf(shown));
     return renderer;
   };
   auto a = makeRenderer(*first, mesh);

@@ -152,7 +152,7 @@ TEST_F(Checker, FacesWithoutTexturePlaceAreDry) {
   for (std::size_t c = 0; c < 3; ++c) {
     uv[std::size_t{3} * bare + c] = glm::vec2(std::numeric_limits<float>::quiet_NaN());
   }
-  renderer_->setCornerUv(uv);
+  setCornerUv(uv);
   const Image image = draw(board(40));
   const glm::ivec2 p = pixelOf(middle(bare));
   EXPECT_EQ(image.at(p.x, p.y), (Rgba8{0x6A, 0x6A, 0x6A, 255}));
@@ -160,7 +160,7 @@ TEST_F(Checker, FacesWithoutTexturePlaceAreDry) {
 
 TEST_F(Checker, IsForgottenWithItsTexture) {
   EXPECT_TRUE(renderer_->canShow(ColorMode::Checkerboard));
-  renderer_->setCornerUv({});
+  setCornerUv({});
   EXPECT_FALSE(renderer_->canShow(ColorMode::Checkerboard));
   RenderSettings plain = flat(ColorMode::Shaded);
   EXPECT_EQ(draw(board(40)), draw(plain));
@@ -172,8 +172,9 @@ TEST_F(UnwrapColours, RangesBeginAtNoneAndTellTheMean) {
   std::vector<float> values(mesh_->triangleCount(), 1.0f);
   for (std::size_t t = 0; t < values.size(); t += 2) values[t] = 1.5f;
   for (const ColorMode mode : {ColorMode::Stretch, ColorMode::AngleDistortion}) {
+    setUnwrap({});
     EXPECT_FALSE(renderer_->canShow(mode));
-    renderer_->setTriangleValues(mode, values);
+    setUnwrap({{}, values, values, values});
     const auto range = renderer_->scalarRange(flat(mode));
     ASSERT_TRUE(range);
     EXPECT_EQ(range->min, 1);
@@ -191,7 +192,7 @@ TEST_F(UnwrapColours, AreaIsWhiteWhereThereIsNoneAndDryWhereNothingIsKnown) {
   for (Index t = 0; t < 24; ++t) values[large + t % 4] = 1.2f;
   for (Index t = 0; t < 24; ++t) values[small + t % 4] = -1.2f;
   values[unknown] = std::numeric_limits<float>::quiet_NaN();
-  renderer_->setTriangleValues(ColorMode::AreaDistortion, values);
+  setUnwrap({{}, values, values, values});
   const auto range = renderer_->scalarRange(flat(ColorMode::AreaDistortion));
   ASSERT_TRUE(range);
   EXPECT_EQ(range->min, -range->max);
@@ -212,7 +213,7 @@ TEST_F(Cuts, AreDashedInAColourOfTheirOwnAndOnlyThere) {
   RenderSettings settings = flat(ColorMode::Charts);
   settings.cutWidth = 3;
   const Image without = draw(settings);
-  renderer_->setCuts(cut());
+  setCuts(cut());
   const Image with = draw(settings);
   int bright = 0, dark = 0;
   for (double y = 1.2; y < 5.8; y += 0.05) {
@@ -235,8 +236,8 @@ TEST_F(Cuts, AreDashedInAColourOfTheirOwnAndOnlyThere) {
 TEST_F(Cuts, GoWithAnEmptyList) {
   const RenderSettings settings = flat(ColorMode::Charts);
   const Image without = draw(settings);
-  renderer_->setCuts(cut());
-  renderer_->setCuts({});
+  setCuts(cut());
+  setCuts({});
   EXPECT_EQ(draw(settings), without);
 }
 

@@ -26,7 +26,7 @@ class FloodPixels : public test::GlTest {
 
 TEST_F(FloodPixels, LaterFacesAreDryEarlierOnesHaveTheirChart) {
   show(test::cube(6));
-  renderer_->setFlood(cubeRecord());
+  setFlood(cubeRecord());
   RenderSettings settings = flat(ColorMode::Charts);
   const auto seen = seenTriangles();
   for (const std::size_t playhead : {0u, 100u, 250u, 432u}) {
@@ -53,20 +53,20 @@ TEST_F(FloodPixels, AGrowingRecordGivesTheSamePictureAsAFinishedOne) {
   RenderSettings settings = flat(ColorMode::FloodOrder);
   settings.seams = true;
   settings.playhead = 300;
-  renderer_->setFlood(cubeRecord());
+  setFlood(cubeRecord());
   const Image whole = draw(settings);
   auto growing = std::make_shared<FloodRecord>(mesh_->faceCount());
-  renderer_->setFlood(growing);
+  setFlood(growing);
   for (std::size_t f = 0; f < mesh_->faceCount(); f += 48) {
     fill(*growing, f, f + 48);
-    renderer_->updateFlood();
+    updateFlood();
   }
   EXPECT_EQ(draw(settings), whole);
 }
 
 TEST_F(FloodPixels, ScrubbingBackEqualsSteppingForward) {
   show(test::cube(6));
-  renderer_->setFlood(cubeRecord());
+  setFlood(cubeRecord());
   RenderSettings settings = flat(ColorMode::Charts);
   settings.seams = true;
   settings.playhead = 200;
@@ -81,7 +81,7 @@ TEST_F(FloodPixels, ScrubbingBackEqualsSteppingForward) {
 TEST_F(FloodPixels, EveryMomentLooksTheSameOnTheWayBack) {
   show(test::cube(6));
   const auto log = std::make_shared<FloodRecord>(mesh_->faceCount());
-  renderer_->setFlood(log);
+  setFlood(log);
   for (const ColorMode mode : {ColorMode::Charts, ColorMode::FloodOrder, ColorMode::FloodTime}) {
     RenderSettings settings = flat(mode);
     settings.seams = settings.edges = true;
@@ -89,7 +89,7 @@ TEST_F(FloodPixels, EveryMomentLooksTheSameOnTheWayBack) {
     for (std::size_t step = 0; step <= 432; step += 48) {
       // The first time the log is still growing.
       if (log->size() < step) fill(*log, log->size(), step);
-      renderer_->updateFlood();
+      updateFlood();
       settings.playhead = step;
       if (mode != ColorMode::FloodTime || log->size() == 432) forward.push_back(draw(settings));
     }
@@ -103,7 +103,7 @@ TEST_F(FloodPixels, EveryMomentLooksTheSameOnTheWayBack) {
 TEST_F(FloodPixels, OtherLabelsAndBackGiveTheSamePicture) {
   show(test::cube(6));
   const Segmentation labels = cubeSides();
-  renderer_->setSegmentation(&labels);
+  setCharts(labels);
   RenderSettings settings = flat(ColorMode::Charts);
   settings.seams = true;
   const Image before = draw(settings);
@@ -111,16 +111,16 @@ TEST_F(FloodPixels, OtherLabelsAndBackGiveTheSamePicture) {
   const auto seen = seenTriangles();
   const auto [moved, pixel] = seen[seen.size() / 2];
   other[moved] = (other[moved] + 1) % 6;
-  renderer_->setLabels(other);
+  setLabels(other);
   const Image changed = draw(settings);
   EXPECT_NE(changed, before);
   settings.seams = false;
   test::expectColor(draw(settings).at(pixel.x, pixel.y),
                     renderer_->chartColor(other[moved], settings));
   settings.seams = true;
-  renderer_->setLabels(labels.label);
+  setLabels(labels.label);
   EXPECT_EQ(draw(settings), before);
-  EXPECT_THROW(renderer_->setLabels(std::vector<Index>(3)), Error);
+  EXPECT_THROW(setLabels(std::vector<Index>(3)), Error);
 }
 
 TEST_F(FloodPixels, GoingToAnotherRoundAndBackGivesTheSamePicture) {
@@ -134,20 +134,20 @@ TEST_F(FloodPixels, GoingToAnotherRoundAndBackGivesTheSamePicture) {
   RenderSettings settings = flat(ColorMode::Charts);
   settings.seams = true;
   settings.playhead = 200;
-  renderer_->setFlood(first);
+  setFlood(first);
   const Image before = draw(settings);
-  renderer_->setFlood(other);
+  setFlood(other);
   EXPECT_NE(draw(settings), before);
-  renderer_->setFlood(first, 50);
-  while (!renderer_->updateFlood(50)) continue;
+  setFlood(first, 50);
+  while (!updateFlood(50)) continue;
   EXPECT_EQ(draw(settings), before);
 }
 
 TEST_F(FloodPixels, WithoutAFrontAWholeFloodLooksLikeItsLabels) {
   show(test::cube(6));
-  renderer_->setFlood(cubeRecord());
+  setFlood(cubeRecord());
   const Segmentation labels = cubeSides();
-  renderer_->setSegmentation(&labels);
+  setCharts(labels);
   RenderSettings settings = flat(ColorMode::Charts);
   const Image final = draw(settings);
   settings.playhead = mesh_->faceCount();
@@ -158,7 +158,7 @@ TEST_F(FloodPixels, WithoutAFrontAWholeFloodLooksLikeItsLabels) {
 
 TEST_F(FloodPixels, TheFlashMarksOneFace) {
   show(test::cube(6));
-  renderer_->setFlood(cubeRecord());
+  setFlood(cubeRecord());
   RenderSettings settings = flat(ColorMode::Charts);
   settings.playhead = 200;
   const auto seen = seenTriangles();
@@ -170,18 +170,21 @@ TEST_F(FloodPixels, TheFlashMarksOneFace) {
 TEST_F(FloodPixels, TheMomentsAreasColourTheBalance) {
   show(test::cube(6));
   const Segmentation labels = cubeSides();
-  renderer_->setSegmentation(&labels);
+  setCharts(labels);
   const RenderSettings settings = flat(ColorMode::Balance);
   const Image even = draw(settings);
-  renderer_->setChartAreas(std::vector<double>{1, 2, 3, 1, 2, 3});
+  ChartStats stats;
+  for (const double area : {1, 2, 3, 1, 2, 3}) stats.charts.push_back({.gaussArea = area});
+  setStats(stats);
   EXPECT_NE(draw(settings), even);
-  renderer_->setChartAreas(labels.areas.gaussArea);
+  for (ChartFigures& chart : stats.charts) chart.gaussArea = 1;
+  setStats(stats);
   EXPECT_EQ(draw(settings), even);
 }
 
 TEST_F(FloodPixels, SeamsAppearWithTheirSecondFace) {
   show(test::cube(6));
-  renderer_->setFlood(cubeRecord());
+  setFlood(cubeRecord());
   RenderSettings settings = flat(ColorMode::Shaded);
   const Image plain = draw(settings);
   settings.seams = true;
@@ -202,7 +205,7 @@ TEST_F(FloodPixels, SeamsAppearWithTheirSecondFace) {
 
 TEST_F(FloodPixels, OrderRunsAlongTheColourMap) {
   show(test::cube(6));
-  renderer_->setFlood(cubeRecord());
+  setFlood(cubeRecord());
   RenderSettings settings = flat(ColorMode::FloodOrder);
   settings.colorMap = "grey";
   const Image image = draw(settings);
@@ -217,7 +220,7 @@ TEST_F(FloodPixels, OrderRunsAlongTheColourMap) {
 
 TEST_F(FloodPixels, TimeIsScaledByItsOwnChart) {
   show(test::cube(6));
-  renderer_->setFlood(cubeRecord());
+  setFlood(cubeRecord());
   RenderSettings settings = flat(ColorMode::FloodTime);
   settings.colorMap = "grey";
   const Image image = draw(settings);
@@ -233,7 +236,7 @@ TEST_F(FloodPixels, AllTrianglesOfAPolygonAreTakenTogether) {
   auto record = std::make_shared<FloodRecord>(mesh_->faceCount());
   for (Index f = 0; f < 48; ++f) record->append(f, 0, 0);
   record->publish();
-  renderer_->setFlood(record);
+  setFlood(record);
   RenderSettings settings = flat(ColorMode::Charts);
   settings.playhead = 48;
   const Image image = draw(settings);

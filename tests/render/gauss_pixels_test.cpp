@@ -37,7 +37,7 @@ TEST_F(GaussPixels, DiscsSitAtACubesCornersOnly) {
   show(test::cube(4));
   const GaussArea gauss = cubeGauss(*mesh_);
   ASSERT_EQ(gauss.corners.size(), 8u);
-  renderer_->setGaussArea(&gauss);
+  setGaussArea(gauss);
   const Image image = draw(flat(ColorMode::GaussVertex));
   int discs = 0;
   for (const Index corner : gauss.corners) {
@@ -59,7 +59,7 @@ TEST_F(GaussPixels, CreasesAreLinesInTheColourOfTheirValue) {
   GaussArea gauss = cubeGauss(*mesh_);
   // Half of the creases carry area, the others none.
   for (std::size_t i = 0; i < gauss.edge.size(); i += 2) gauss.edge[i] = 0.1;
-  renderer_->setGaussArea(&gauss);
+  setGaussArea(gauss);
   const Image image = draw(flat(ColorMode::GaussEdge));
   const auto triangles = renderer_->triangleImage(camera_, kWidth, kHeight);
   int red = 0, pale = 0;
@@ -84,7 +84,7 @@ TEST_F(GaussPixels, CurvedFacesGetStrongColoursFlatOnesStayPale) {
   for (std::size_t t = 0; t < gauss.triangle.size(); ++t) {
     gauss.triangle[t] = (t / perSide) % 2 == 0 ? 0.0 : 0.2;
   }
-  renderer_->setGaussArea(&gauss);
+  setGaussArea(gauss);
   const Image image = draw(flat(ColorMode::GaussFace));
   for (const auto& [triangle, pixel] : seenTriangles()) {
     const Rgba8 c = image.at(pixel.x, pixel.y);

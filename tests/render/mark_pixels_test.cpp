@@ -60,7 +60,7 @@ TEST_F(MarkPixels, EachPatternCoversItsShareOfTheMarkedChartAlone) {
                         {TriangleMark::Bars, 0.25, 0.50},
                         {TriangleMark::Dots, 0.10, 0.29}};
   for (const Case& each : cases) {
-    renderer_->setMarks(leftHalf(each.mark));
+    setMarks(leftHalf(each.mark));
     const Image image = draw(settings), texture = drawUv(settings);
     const glm::vec3 color = markColor(each.mark);
     EXPECT_GE(share(plain, image, left, color), each.least) << static_cast<int>(each.mark);
@@ -81,7 +81,7 @@ TEST_F(MarkPixels, PatternsDifferWithoutColour) {
   const glm::ivec2 corner = pixelOf(mesh_->positions()[0]), far = pixelOf(middle(2 * (7 * 16 + 7)));
   // How often the pattern begins along a row and along a column.
   const auto changes = [&](TriangleMark mark) {
-    renderer_->setMarks(leftHalf(mark));
+    setMarks(leftHalf(mark));
     const Image image = draw(settings);
     const Rgba8 color = test::toRgba8(markColor(mark));
     std::array<int, 2> count{};
@@ -102,7 +102,7 @@ TEST_F(MarkPixels, PatternsDifferWithoutColour) {
 }
 
 TEST_F(MarkPixels, PicturesInPartsAreThePicturesAsAWhole) {
-  renderer_->setMarks(leftHalf(TriangleMark::Lattice));
+  setMarks(leftHalf(TriangleMark::Lattice));
   PictureSize whole{.width = kWidth, .height = kHeight, .supersampling = 1, .samples = 1};
   PictureSize parts = whole;
   parts.largestPart = 100;
@@ -121,19 +121,19 @@ TEST_F(MarkPixels, LinesAreOnTheModelAndInTheTexture) {
     return found;
   };
   EXPECT_EQ(count(draw(marked())), 0);
-  renderer_->setMarks(marks);
+  setMarks(marks);
   EXPECT_GT(count(draw(marked())), 60);
   EXPECT_GT(count(drawUv(marked())), 60);
   // Another texture has them elsewhere, none has them nowhere.
   const Image before = drawUv(marked());
   std::vector<glm::vec2> moved = cornerUv();
   for (glm::vec2& uv : moved) uv.x += 0.02f;
-  renderer_->setCornerUv(moved);
+  setCornerUv(moved);
   EXPECT_NE(drawUv(marked()), before);
   EXPECT_GT(count(drawUv(marked())), 60);
-  renderer_->setCornerUv({});
+  setCornerUv({});
   EXPECT_EQ(count(drawUv(marked())), 0);
-  renderer_->setMarks({});
+  setMarks({});
   EXPECT_EQ(count(draw(marked())), 0);
 }
 

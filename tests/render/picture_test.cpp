@@ -17,10 +17,10 @@ class Pictures : public test::GlTest {
     show(test::ball(12));
     Segmentation sides = cubeSides();
     sides.areas.gaussArea = {1, 2, 3, 4, 5, 6};
-    renderer_->setSegmentation(&sides);
+    setCharts(sides);
     std::vector<SeedMark> seeds;
     for (Index c = 0; c < 6; ++c) seeds.push_back({c * 288 + 140, c, c == 2});
-    renderer_->setSeeds(seeds);
+    setSeeds(seeds);
   }
 };
 
@@ -100,7 +100,7 @@ TEST_F(Pictures, ModesWithoutDataShowThePlainSurface) {
   show(test::cube(2));
   const Image plain = draw(flat(ColorMode::Shaded));
   for (const ColorModeInfo& info : colorModeTable()) {
-    if (info.mode == ColorMode::Shaded) continue;
+    if (info.needs == ModeNeed::Nothing) continue;
     EXPECT_FALSE(renderer_->canShow(info.mode)) << info.id;
     EXPECT_FALSE(renderer_->scalarRange(flat(info.mode))) << info.id;
     EXPECT_EQ(draw(flat(info.mode)), plain) << info.id;
@@ -122,8 +122,9 @@ TEST_F(Pictures, ImpossibleWishesAreRefused) {
   RenderSettings settings;
   settings.colorMap = "jet";
   EXPECT_THROW(renderImage(*renderer_, camera_, settings, {10, 10, 1, 1}), UsageError);
-  EXPECT_THROW(renderer_->setTriangleValues(ColorMode::Charts, std::vector<float>(12)), Error);
-  EXPECT_THROW(renderer_->setTriangleValues(ColorMode::Stretch, std::vector<float>(5)), Error);
+  const std::vector<float> few(5, 1.5f);
+  setUnwrap({{}, few, few, few});
+  EXPECT_FALSE(renderer_->canShow(ColorMode::Stretch)) << "values of another mesh";
 }
 
 }  // namespace

@@ -16,6 +16,12 @@
 
 namespace chartflood::test {
 
+inline render::Scene sceneOf(std::shared_ptr<const Mesh> mesh) {
+  render::Scene scene;
+  scene.source.mesh = std::move(mesh);
+  return scene;
+}
+
 /// A current context; skips nothing and hides nothing: without OSMesa and EGL the test fails.
 class GlTest : public ::testing::Test {
  protected:
@@ -36,10 +42,45 @@ class GlTest : public ::testing::Test {
 
   void show(std::shared_ptr<const Mesh> mesh) {
     mesh_ = std::move(mesh);
-    renderer_->setMesh(mesh_, nullptr);
+    scene_ = sceneOf(mesh_);
+    renderer_->show(scene_);
     camera_ = {};
     camera_.look(StandardView::Oblique);
     camera_.frame(mesh_->positions(), aspect());
+  }
+  // Each shows one part more of the scene, or another in its place.
+  void setCharts(const Segmentation& charts) { showPart(scene_.source.segmentation, charts); }
+  void setLabels(const std::vector<Index>& labels) { showPart(scene_.labels, labels); }
+  void setStats(const ChartStats& stats) { showPart(scene_.source.stats, stats); }
+  void setSeeds(const std::vector<SeedMark>& seeds) { showPart(scene_.seeds, seeds); }
+  void setCuts(const std::vector<Index>& sides) { showPart(scene_.cuts, sides); }
+  void setMarks(const SurfaceMarks& marks) { showPart(scene_.marks, marks); }
+  void setUnwrap(const Unwrap& unwrap) { showPart(scene_.source.unwrap, unwrap); }
+  void setSimple(const SimpleSurface& simple) { showPart(scene_.simple, simple); }
+  void setGaussArea(const GaussArea& area) {
+    showPart(scene_.source.gauss, gaussValues(*mesh_, area));
+  }
+  void setNormals(const CornerNormals& normals) {
+    scene_.vertices = surfaceVertices(*mesh_, &normals);
+    renderer_->show(scene_);
+  }
+  void setCornerUv(const std::vector<glm::vec2>& uv) {
+    showPart(scene_.source.layout, uv.empty() ? UvLayout{} : uvLayout(*mesh_, uv));
+  }
+  /// With the entries that it has by now; false when some of them are not taken in yet.
+  bool setFlood(std::shared_ptr<const FloodRecord> record,
+                std::size_t most = Renderer::kWholeFlood) {
+    scene_.source.record = std::move(record);
+    return updateFlood(most);
+  }
+  bool updateFlood(std::size_t most = Renderer::kWholeFlood) {
+    scene_.source.recorded = scene_.source.record->size();
+    return renderer_->show(scene_, most);
+  }
+  Pick pick(const glm::ivec2& p, const std::vector<Index>& hidden = {}, int width = kWidth,
+            int height = kHeight) const {
+    return pickModel(TriangleTree(mesh_), renderer_->bounds(), camera_, {width, height, p.x, p.y},
+                     shownLabels(scene_), hidden);
   }
   /// One chart a side of a test cube.
   Segmentation cubeSides() const {
@@ -96,9 +137,16 @@ class GlTest : public ::testing::Test {
   std::unique_ptr<gl::Context> context_;
   std::unique_ptr<Renderer> renderer_;
   std::shared_ptr<const Mesh> mesh_;
+  render::Scene scene_;
   Camera camera_;
 
  private:
+  template <typename Value>
+  void showPart(std::shared_ptr<const Value>& part, const Value& value) {
+    part = std::make_shared<const Value>(value);
+    renderer_->show(scene_);
+  }
+
   int sink_ = 0;
 };
 

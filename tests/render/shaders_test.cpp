@@ -33,7 +33,9 @@ TEST_F(Shaders, EveryPairCompilesAndLinks) {
   for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
     if (!shader.name.ends_with(".vert")) continue;
     const std::string stem(shader.name.substr(0, shader.name.size() - 5));
-    EXPECT_NO_THROW(gl::Program(stem + ".vert", stem + ".frag")) << stem;
+    EXPECT_NO_THROW(
+        gl::Program(stem + ".vert", stem + ".frag", fillMacros(SurfaceFill::TriangleValue)))
+        << stem;
     ++pairs;
   }
   EXPECT_GE(pairs, 6);
@@ -44,20 +46,32 @@ TEST_F(Shaders, EveryVariantOfTheSurfaceCompiles) {
   const std::vector<std::vector<std::string>> lights{
       {}, {"LIGHT"}, {"LIGHT", "FLAT"}, {"LIGHT", "VERTEX_LIGHT"}};
   int count = 0;
-  for (int fill = 0; fill < 7; ++fill) {
+  for (int fill = 0; fill <= static_cast<int>(SurfaceFill::Checker); ++fill) {
     for (const auto& flood : floods) {
       for (const auto& light : lights) {
-        std::vector<std::string> macros{"FILL " + std::to_string(fill)};
+        std::vector<std::string> macros = fillMacros(static_cast<SurfaceFill>(fill));
         macros.insert(macros.end(), flood.begin(), flood.end());
         macros.insert(macros.end(), light.begin(), light.end());
         if (++count % 2 == 0) macros.push_back("STATES");
         if (count % 3 == 0) macros.push_back("WIRE");
         if (count % 5 == 0) macros.push_back("IN_TEXTURE");
-        if (fill == 6) macros.push_back("CHECKER " + std::to_string(count % 3));
+        if (fill == static_cast<int>(SurfaceFill::Checker))
+          macros.push_back("CHECKER " + std::to_string(count % 3));
         EXPECT_NO_THROW(gl::Program("surface.vert", "surface.frag", macros))
             << ::testing::PrintToString(macros);
       }
     }
+  }
+}
+
+/// A fill that the shader has no lines for would be another one in silence.
+TEST(ShaderSources, TheSurfaceHasLinesForEveryFill) {
+  const gl::ShaderSource source = gl::loadShader("surface.frag", {});
+  for (const std::string& macro : fillMacros(SurfaceFill::Plain)) {
+    if (!macro.starts_with("FILL_")) continue;
+    const std::string name = macro.substr(0, macro.find(' '));
+    const bool last = name == "FILL_FLOOD_TIME";  // what is left of the fills of a flood
+    EXPECT_EQ(source.text.find("== " + name + '\n') == std::string::npos, last) << name;
   }
 }
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "core/gauss/sector_normals.h"
-#include "render/passes/simple_surface.h"
+#include "render/scene/simple_surface.h"
 #include "tests/render/scene.h"
 #include "tests/support/test_meshes.h"
 
@@ -60,7 +60,7 @@ TEST_F(SimplePixels, AreThoseOfTheWholeButForBorders) {
   const auto mesh = test::sampleMesh("torus", 60'000);
   show(mesh);
   const CornerNormals normals = computeCornerNormals(*mesh, 45);
-  renderer_->setNormals(&normals);
+  setNormals(normals);
   Segmentation quarters;
   quarters.chartCount = 4;
   quarters.complete = true;
@@ -68,13 +68,13 @@ TEST_F(SimplePixels, AreThoseOfTheWholeButForBorders) {
   for (std::size_t f = 0; f < mesh->faceCount(); ++f) {
     quarters.label.push_back(static_cast<Index>(4 * f / mesh->faceCount()));
   }
-  renderer_->setSegmentation(&quarters);
+  setCharts(quarters);
   EXPECT_FALSE(renderer_->hasSimpleSurface());
   const RenderSettings settings = flat(ColorMode::Charts);
   EXPECT_EQ(difference(settings), 0) << "without a simple form the whole is drawn";
 
   const auto simple = simpleSurface(*mesh, *surfaceVertices(*mesh, &normals), nullptr, 12'000);
-  renderer_->setSimpleSurface(*simple);
+  setSimple(*simple);
   ASSERT_TRUE(renderer_->hasSimpleSurface());
   const double detail = renderer_->simpleDetail(camera_, PicturePart::whole(kWidth, kHeight));
   EXPECT_NEAR(detail, pixelsOf(simple->detail), 0.05 * detail);
@@ -93,7 +93,7 @@ TEST_F(SimplePixels, AreThoseOfTheWholeButForBorders) {
   hidden.hiddenCharts = {1, 2};
   EXPECT_LT(difference(hidden), 0.06);
 
-  renderer_->setSimpleSurface({});
+  setSimple({});
   EXPECT_FALSE(renderer_->hasSimpleSurface());
 }
 
@@ -109,16 +109,15 @@ TEST_F(SimplePixels, CarryTheTextureUntilItChanges) {
       uv.push_back(t / 2 % 200 < 100 ? place : 0.5f * glm::vec2(5 - place.y, place.x));
     }
   }
-  renderer_->setCornerUv(uv);
+  setCornerUv(uv);
   RenderSettings settings = flat(ColorMode::Checkerboard);
   settings.checkerKind = CheckerKind::Squares;
   settings.checkerSquares = 12;
   const auto layout = renderer_->textureLayout();
   ASSERT_EQ(layout->firstTriangle.size(), 2u);
-  renderer_->setSimpleSurface(
-      *simpleSurface(*mesh, *surfaceVertices(*mesh, nullptr), layout.get(), 10'000));
+  setSimple(*simpleSurface(*mesh, *surfaceVertices(*mesh, nullptr), layout.get(), 10'000));
   EXPECT_LT(difference(settings), 0.06);
-  renderer_->setCornerUv(uv);
+  setCornerUv(uv);
   EXPECT_FALSE(renderer_->hasSimpleSurface()) << "its places are those of another texture";
 }
 

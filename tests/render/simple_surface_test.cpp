@@ -1,6 +1,6 @@
 // Fewer triangles in place of a mesh's: how many, where, and what stays apart.
 
-#include "render/passes/simple_surface.h"
+#include "render/scene/simple_surface.h"
 
 #include <set>
 

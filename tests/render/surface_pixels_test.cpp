@@ -13,7 +13,7 @@ class SurfacePixels : public test::GlTest {};
 TEST_F(SurfacePixels, TheMiddleOfAFaceHasItsChartsColour) {
   show(test::cube(4));
   const Segmentation sides = cubeSides();
-  renderer_->setSegmentation(&sides);
+  setCharts(sides);
   const RenderSettings settings = flat(ColorMode::Charts);
   const Image image = draw(settings);
   const auto seen = seenTriangles();
@@ -31,11 +31,11 @@ TEST_F(SurfacePixels, ChartsKeepTheirColoursWithNewLabels) {
   show(test::cube(4));
   const RenderSettings settings = flat(ColorMode::Charts);
   Segmentation labels = cubeSides();
-  renderer_->setSegmentation(&labels);
+  setCharts(labels);
   std::vector<glm::vec3> before;
   for (Index c = 0; c < 6; ++c) before.push_back(renderer_->chartColor(c, settings));
   labels.label[0] = 3;
-  renderer_->setSegmentation(&labels);
+  setCharts(labels);
   for (Index c = 0; c < 6; ++c) EXPECT_EQ(renderer_->chartColor(c, settings), before[c]);
 }
 
@@ -44,7 +44,7 @@ TEST_F(SurfacePixels, FacesWithoutChartAreDry) {
   Segmentation labels = cubeSides();
   labels.label.assign(labels.label.size(), kNone);
   labels.complete = false;
-  renderer_->setSegmentation(&labels);
+  setCharts(labels);
   const Image image = draw(flat(ColorMode::Charts));
   const auto seen = seenTriangles();
   ASSERT_FALSE(seen.empty());
@@ -56,7 +56,7 @@ TEST_F(SurfacePixels, FacesWithoutChartAreDry) {
 TEST_F(SurfacePixels, SeamsRunWhereLabelsDifferAndNowhereElse) {
   show(test::cube(4));
   const Segmentation sides = cubeSides();
-  renderer_->setSegmentation(&sides);
+  setCharts(sides);
   RenderSettings settings = flat(ColorMode::Charts);
   const Image without = draw(settings);
   settings.seams = true;
@@ -119,7 +119,7 @@ TEST_F(SurfacePixels, BalanceIsWhiteAtTheMeanBlueBelowOrangeAbove) {
   show(test::cube(2));
   Segmentation sides = cubeSides();
   sides.areas.gaussArea = {1.0, 1.5, 0.5, 1.0, 1.5, 0.5};
-  renderer_->setSegmentation(&sides);
+  setCharts(sides);
   const RenderSettings settings = flat(ColorMode::Balance);
   const auto range = renderer_->scalarRange(settings);
   ASSERT_TRUE(range);
@@ -142,7 +142,7 @@ TEST_F(SurfacePixels, ValuesOutOfTheRangeAreGreyWhereColoursAreNotClamped) {
   show(test::cube(4));
   Segmentation sides = cubeSides();
   sides.areas.gaussArea = {1, 1, 1, 1, 1, 4};
-  renderer_->setSegmentation(&sides);
+  setCharts(sides);
   RenderSettings settings = flat(ColorMode::Balance);
   settings.range = {-50, 50};
   const auto greyCharts = [&] {
@@ -166,7 +166,7 @@ TEST_F(SurfacePixels, ValuesOutOfTheRangeAreGreyWhereColoursAreNotClamped) {
 TEST_F(SurfacePixels, HiddenChartsAreNotDrawnAndSelectedOnesStandOut) {
   show(test::cube(4));
   const Segmentation sides = cubeSides();
-  renderer_->setSegmentation(&sides);
+  setCharts(sides);
   RenderSettings settings = flat(ColorMode::Charts);
   const auto seen = seenTriangles();
   const Index first = sides.label[seen.front().triangle];
@@ -186,7 +186,7 @@ TEST_F(SurfacePixels, HiddenChartsAreNotDrawnAndSelectedOnesStandOut) {
 TEST_F(SurfacePixels, SeamsBetweenHiddenChartsAreNotDrawn) {
   show(test::cube(4));
   const Segmentation sides = cubeSides();
-  renderer_->setSegmentation(&sides);
+  setCharts(sides);
   RenderSettings settings = flat(ColorMode::Charts);
   settings.hiddenCharts = {0, 1, 2, 3, 4, 5};
   settings.seams = true;
@@ -203,11 +203,11 @@ TEST_F(SurfacePixels, SeamsBetweenHiddenChartsAreNotDrawn) {
 TEST_F(SurfacePixels, SeedsAreMarkedInTheirChartsColour) {
   show(test::cube(4));
   const Segmentation sides = cubeSides();
-  renderer_->setSegmentation(&sides);
+  setCharts(sides);
   const auto seen = seenTriangles();
   const auto [triangle, pixel] = seen[seen.size() / 2];
   const SeedMark seed{triangle, sides.label[triangle], false};
-  renderer_->setSeeds({&seed, 1});
+  setSeeds({seed});
   RenderSettings settings = flat(ColorMode::Shaded);
   settings.seedMarks = true;
   settings.seedRadius = 9;
@@ -228,14 +228,14 @@ TEST_F(SurfacePixels, SeedsAreMarkedInTheirChartsColour) {
 TEST_F(SurfacePixels, SeedsOfHiddenChartsAreNotMarked) {
   show(test::cube(4));
   const Segmentation sides = cubeSides();
-  renderer_->setSegmentation(&sides);
+  setCharts(sides);
   const auto [triangle, pixel] = seenTriangles().front();
   const SeedMark seed{triangle, sides.label[triangle], false};
   RenderSettings settings = flat(ColorMode::Charts);
   settings.seedMarks = true;
   settings.hiddenCharts = {seed.chart};
   const Image without = draw(settings);
-  renderer_->setSeeds({&seed, 1});
+  setSeeds({seed});
   EXPECT_EQ(draw(settings), without);
   settings.hiddenCharts.clear();
   EXPECT_NE(draw(settings), without);
@@ -244,7 +244,7 @@ TEST_F(SurfacePixels, SeedsOfHiddenChartsAreNotMarked) {
 TEST_F(SurfacePixels, LockedSeedsAreLargerAndShowAPadlock) {
   show(test::cube(4));
   const Segmentation sides = cubeSides();
-  renderer_->setSegmentation(&sides);
+  setCharts(sides);
   const auto seen = seenTriangles();
   const auto [triangle, pixel] = seen[seen.size() / 2];
   RenderSettings settings = flat(ColorMode::Shaded);
@@ -252,7 +252,7 @@ TEST_F(SurfacePixels, LockedSeedsAreLargerAndShowAPadlock) {
   settings.seedRadius = 12;
   const auto drawn = [&](bool locked) {
     const SeedMark seed{triangle, sides.label[triangle], false, locked};
-    renderer_->setSeeds({&seed, 1});
+    setSeeds({seed});
     return draw(settings);
   };
   const Image open = drawn(false), locked = drawn(true);
@@ -280,7 +280,7 @@ TEST_F(SurfacePixels, AClosedSurfaceInsideOutLooksLikeTheRightOne) {
   const auto drawBall = [&](const std::shared_ptr<const Mesh>& mesh, float outwards) {
     show(mesh);
     const CornerNormals normals = ballNormals(*mesh, outwards);
-    renderer_->setNormals(&normals);
+    setNormals(normals);
     RenderSettings settings = flat(ColorMode::Shaded);
     settings.lighting = true;
     return draw(settings);
@@ -294,7 +294,7 @@ TEST_F(SurfacePixels, LightAtTheCornersOfDenseMeshesEqualsLightInEachPixel) {
   const auto drawBall = [&](int n) {
     show(test::ball(n));
     const CornerNormals normals = ballNormals(*mesh_, 1);
-    renderer_->setNormals(&normals);
+    setNormals(normals);
     RenderSettings settings = flat(ColorMode::Shaded);
     settings.lighting = true;
     return draw(settings);
@@ -316,7 +316,7 @@ TEST_F(SurfacePixels, CheckerboardShowsBothGreys) {
                          first ? glm::vec2(1, 1) : glm::vec2(0, 1)});
   }
   EXPECT_FALSE(renderer_->canShow(ColorMode::Checkerboard));
-  renderer_->setCornerUv(uv);
+  setCornerUv(uv);
   EXPECT_TRUE(renderer_->canShow(ColorMode::Checkerboard));
   RenderSettings settings = flat(ColorMode::Checkerboard);
   settings.checkerSquares = 2;

@@ -1,6 +1,6 @@
 // Vertices as the graphics card gets them: shared where corners agree, parted where they do not.
 
-#include "render/passes/surface_vertices.h"
+#include "render/scene/surface_vertices.h"
 
 #include <set>
 #include <vector>

@@ -22,8 +22,8 @@ class TwoCharts : public GlTest {
     segmentation_.complete = true;
     segmentation_.areas.gaussArea = {1, 1};
     for (Index t = 0; t < mesh_->triangleCount(); ++t) segmentation_.label.push_back(chartOf(t));
-    renderer_->setSegmentation(&segmentation_);
-    renderer_->setCornerUv(cornerUv());
+    setCharts(segmentation_);
+    setCornerUv(cornerUv());
     camera_.orthographic = true;
     camera_.look(StandardView::Front);
     camera_.frame(mesh_->positions(), aspect());

@@ -42,11 +42,8 @@ TEST_F(UvPixels, EveryModeHasTheModelsColours) {
     values.push_back(1 + 0.01f * static_cast<float>(t % 90));
   }
   segmentation_.areas.gaussArea = {1, 3};
-  renderer_->setSegmentation(&segmentation_);
-  for (const ColorMode mode :
-       {ColorMode::Stretch, ColorMode::AngleDistortion, ColorMode::AreaDistortion}) {
-    renderer_->setTriangleValues(mode, values);
-  }
+  setCharts(segmentation_);
+  setUnwrap({{}, values, values, values});
   for (const ColorMode mode : {ColorMode::Shaded, ColorMode::Balance, ColorMode::Stretch,
                                ColorMode::AreaDistortion, ColorMode::AngleDistortion}) {
     const Image model = draw(flat(mode)), texture = drawUv(flat(mode));
@@ -108,7 +105,7 @@ TEST_F(UvPixels, HiddenChartsAreLeftOutAndNotFound) {
 }
 
 TEST_F(UvPixels, CutsGoWithTheirChart) {
-  renderer_->setCuts(cut());
+  setCuts(cut());
   RenderSettings settings = flat(ColorMode::Charts);
   const auto dashes = [&](const std::vector<Index>& hidden) {
     settings.hiddenCharts = hidden;
@@ -130,7 +127,7 @@ TEST_F(UvPixels, FacesWithoutTexturePlaceAreAbsent) {
   for (std::size_t c = 0; c < 6; ++c) {
     uv[std::size_t{3} * bare + c] = glm::vec2(std::numeric_limits<float>::quiet_NaN());
   }
-  renderer_->setCornerUv(uv);
+  setCornerUv(uv);
   const Image image = drawUv(flat(ColorMode::Charts));
   const glm::ivec2 p = uvPixel(uvMiddle(bare));
   EXPECT_EQ(image.at(p.x, p.y), (Rgba8{0, 0, 0, 255}));
@@ -140,7 +137,7 @@ TEST_F(UvPixels, FacesWithoutTexturePlaceAreAbsent) {
 TEST_F(UvPixels, OutlinesAreWhiteOnDarkAndCutsDashed) {
   RenderSettings settings = flat(ColorMode::Charts);
   settings.seams = true;
-  renderer_->setCuts(cut());
+  setCuts(cut());
   const Image image = drawUv(settings, {.frame = false, .outlineWidth = 3});
   // The left border of chart 0 and the cut in its middle.
   int white = 0, cutColored = 0;
@@ -235,7 +232,7 @@ TEST_F(UvPixels, BothStandSideBySide) {
 }
 
 TEST_F(UvPixels, WithoutTextureOnlyTheGroundIsDrawn) {
-  renderer_->setCornerUv({});
+  setCornerUv({});
   EXPECT_FALSE(renderer_->hasUv());
   const Image image = drawUv(flat(ColorMode::Charts));
   for (const Rgba8& pixel : image.pixels()) EXPECT_EQ(pixel, (Rgba8{0, 0, 0, 255}));

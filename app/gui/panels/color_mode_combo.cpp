@@ -37,15 +37,15 @@ void colorModeCombo(const Ui& ui, float width) {
     return;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ui.px(8), ui.px(4)));
-  for (ColorMode mode : availableColorModes())
-    modeEntry(ui, colorModeInfo(mode), mode == present.mode);
+  for (const ColorModeInfo& info : colorModeTable()) {
+    modeEntry(ui, info, info.mode == present.mode);
+  }
   ImGui::PopStyleVar();
   ImGui::EndCombo();
 }
 
 void colorModeMenu(const Ui& ui) {
-  for (ColorMode mode : availableColorModes()) {
-    const ColorModeInfo& info = colorModeInfo(mode);
+  for (const ColorModeInfo& info : colorModeTable()) {
     actionMenuItem(ui, modeLine(info), info.label);
   }
 }

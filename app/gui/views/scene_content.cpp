@@ -18,6 +18,11 @@ constexpr std::size_t kSimple = 60'000;       // triangles of the simple surface
 constexpr std::size_t kDense = 2 * kSimple;   // from which there is one
 
 template <class Value>
+std::shared_ptr<const Value> shared(Value value) {
+  return std::make_shared<const Value>(std::move(value));
+}
+
+template <class Value>
 bool isReady(const std::future<Value>& future) {
   return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
@@ -27,8 +32,9 @@ bool isReady(const std::future<Value>& future) {
 void SceneView::takeMesh(const AppState& state, const Results& results) {
   if (results.mesh == mesh_) return;
   mesh_ = results.mesh;
-  renderer_.setMesh(mesh_, nullptr);
-  if (pane_.live()) renderer_.setChartColors(state.view.chartColors);
+  scene_ = {};
+  scene_.source.mesh = mesh_;
+  if (pane_.live()) scene_.chartColors = shared(state.view.chartColors);
   recolored_ = state.view.recolored;
   segmentation_.reset();
   stats_.reset();
@@ -39,7 +45,6 @@ void SceneView::takeMesh(const AppState& state, const Results& results) {
   seeds_.clear();
   chartSet_.reset();
   atlas_.reset();
-  unwrap_.reset();
   hintsShown_.reset();
   simpleOf_.reset();
   simpleLayout_.reset();
@@ -50,19 +55,16 @@ void SceneView::takeMesh(const AppState& state, const Results& results) {
 void SceneView::takeDerived(const AppState& state, const Results& results) {
   const bool shared = results.gaussArea == state.results().gaussArea;
   Insight& insight = shared ? state.insight() : paneInsight(state, pane_);
-  if (!tree_) {
-    tree_ = insight.tree(results);
-    if (tree_) renderer_.setTree(tree_);
-  }
+  if (!tree_) tree_ = insight.tree(results);
   const auto derived = insight.surface(results);
   if (!derived || derived == derived_) return;
-  const auto layout = renderer_.textureLayout();
+  const auto layout = scene_.source.layout;
   if (!layout) return showDerived(derived, nullptr);
   // With a texture the vertices are parted beside the window; what is ready is shown, even when a
   // newer one is wanted by now.
   if (isReady(parting_)) {
     const Parting done = parting_.get();
-    if (done.layout == layout) showDerived(done.derived, done.vertices.get());
+    if (done.layout == layout) showDerived(done.derived, done.vertices);
   }
   if (derived == derived_ || parting_.valid()) return;
   parting_ = std::async(std::launch::async, [derived, layout, wake = wake_] {
@@ -73,13 +75,11 @@ void SceneView::takeDerived(const AppState& state, const Results& results) {
 }
 
 void SceneView::showDerived(std::shared_ptr<const SurfaceDerived> derived,
-                            const SurfaceVertices* parted) {
+                            std::shared_ptr<const SurfaceVertices> parted) {
   derived_ = std::move(derived);
-  renderer_.setVertices(derived_->vertices, parted);
-  renderer_.setGaussValues(derived_->gaussValues);
-  const int samples[] = {1, kSmoothSamples};
-  if (warmedFor_ != mesh_) renderer_.warmUp(RenderSettings{}, samples);
-  warmedFor_ = mesh_;
+  scene_.vertices = derived_->vertices;
+  scene_.parted = std::move(parted);
+  scene_.source.gauss = derived_->gaussValues;
   ++content_;
 }
 
@@ -97,7 +97,7 @@ void SceneView::takeFilm(const AppState& state) {
     lines.push_back({film.fronts, glm::vec3(1), 2.6f, false});
     lines.push_back({film.cuts, glm::vec3(0.84f, 0.37f, 0.0f), 3.4f, false});
   }
-  renderer_.setLines(lines);
+  scene_.lines = shared(std::move(lines));
   ++content_;
 }
 
@@ -121,7 +121,7 @@ void SceneView::takeHints(const AppState& state) {
                                                       : erase,
                    3.4f, wanted.brush == HintBrush::Never});
   std::erase_if(lines, [](const EdgeLines& each) { return each.sides.empty(); });
-  renderer_.setLines(lines);
+  scene_.lines = shared(std::move(lines));
   hintsShown_ = std::move(wanted);
   ++content_;
 }
@@ -129,18 +129,14 @@ void SceneView::takeHints(const AppState& state) {
 void SceneView::takeFlood(std::shared_ptr<const FloodRecord> record) {
   if (record != record_) {
     record_ = std::move(record);
-    recorded_ = 0;
     floodTaken_ = false;
-    renderer_.setFlood(record_, 0);
     ++content_;
   }
-  if (record_ && (record_->size() != recorded_ || !floodTaken_)) {
-    recorded_ = record_->size();
-    // A whole flood at once would hold up the window; the rest comes with the next passes.
-    floodTaken_ = renderer_.updateFlood(kFacesAtOnce);
-    if (!floodTaken_) wake_();
-    ++content_;
-  }
+  const std::size_t recorded = record_ ? record_->size() : 0;
+  if (scene_.source.record == record_ && scene_.source.recorded == recorded && floodTaken_) return;
+  scene_.source.record = record_;
+  scene_.source.recorded = recorded;
+  ++content_;
 }
 
 /// Labels of a moment of the refinement, or the finished ones again.
@@ -149,7 +145,11 @@ void SceneView::takeBorders(const AppState& state) {
   if (state.playback.inBorders() && segmentation_) moment = state.shownStats();
   if (moment == borders_) return;
   borders_ = moment;
-  renderer_.setLabels(moment ? state.shownLabels() : std::span<const Index>(segmentation_->label));
+  scene_.labels = nullptr;
+  if (moment) {
+    const auto labels = state.shownLabels();
+    scene_.labels = shared(std::vector<Index>(labels.begin(), labels.end()));
+  }
   ++content_;
 }
 
@@ -158,9 +158,7 @@ void SceneView::takeAreas(const AppState& state) {
   const auto& stats = state.shownStats();
   if (!stats || stats == stats_) return;
   stats_ = stats;
-  std::vector<double> areas;
-  for (const ChartFigures& chart : stats->charts) areas.push_back(chart.gaussArea);
-  renderer_.setChartAreas(areas);
+  scene_.source.stats = stats;
   if (state.view.render.colorMode == ColorMode::Balance) ++content_;
 }
 
@@ -169,7 +167,7 @@ void SceneView::takeSeeds(const AppState& state) {
       pane_.live() ? seedMarks(state) : state.compare.stored[pane_.stored].seeds;
   if (marks == seeds_) return;
   seeds_ = std::move(marks);
-  renderer_.setSeeds(seeds_);
+  scene_.seeds = shared(seeds_);
   ++content_;
 }
 
@@ -181,7 +179,7 @@ void SceneView::takeMarks(const AppState& state, const Results& results) {
   const auto wanted = paneInsight(state, pane_).problemMarks(results);
   if (wanted == marks_) return;
   marks_ = wanted;
-  renderer_.setMarks(marks_ ? *marks_ : SurfaceMarks{});
+  scene_.marks = marks_;
   ++content_;
 }
 
@@ -189,9 +187,11 @@ void SceneView::takeUnwrap(const Results& results) {
   if (isReady(flat_)) {
     Flat flat = flat_.get();
     if (flat.mesh == mesh_ && atlas_) {
-      renderer_.setCuts(flat.cuts);
       const bool fits = derived_ && flat.vertices == derived_->vertices;
-      renderer_.setUvLayout(std::move(flat.layout), fits ? flat.parted.get() : nullptr);
+      scene_.cuts = shared(std::move(flat.cuts));
+      scene_.source.layout = std::move(flat.layout);
+      scene_.parted = fits ? std::move(flat.parted) : nullptr;
+      scene_.simple = nullptr;
       ++content_;
     }
   }
@@ -200,8 +200,10 @@ void SceneView::takeUnwrap(const Results& results) {
   chartSet_ = results.charts;
   if (!atlas_ || !chartSet_) {
     atlas_.reset();
-    renderer_.setCuts(chartSet_ ? cutSides(*chartSet_) : std::vector<Index>{});
-    renderer_.setCornerUv({});
+    scene_.cuts = chartSet_ ? shared(cutSides(*chartSet_)) : nullptr;
+    scene_.source.layout = nullptr;
+    scene_.parted = nullptr;
+    scene_.simple = nullptr;
     ++content_;
     return;
   }
@@ -222,31 +224,19 @@ void SceneView::takeUnwrap(const Results& results) {
 }
 
 void SceneView::takeDistortion(const Results& results) {
-  if (results.unwrap == unwrap_) return;
-  unwrap_ = results.unwrap;
-  const auto show = [&](ColorMode mode, std::span<const float> values) {
-    // A part that does not fit the mesh is none.
-    const bool fits = values.size() == mesh_->triangleCount();
-    renderer_.setTriangleValues(mode, fits ? values : std::span<const float>{});
-  };
-  static const Unwrap none;
-  const Unwrap& unwrap = unwrap_ ? *unwrap_ : none;
-  show(ColorMode::Stretch, unwrap.stretch);
-  show(ColorMode::AreaDistortion, unwrap.area);
-  show(ColorMode::AngleDistortion, unwrap.angle);
+  if (results.unwrap == scene_.source.unwrap) return;
+  scene_.source.unwrap = results.unwrap;
   ++content_;
 }
 
 /// Where pictures are slow, fewer triangles are made ready for the next motion.
 void SceneView::takeSimple(const AppState& state) {
-  const auto layout = renderer_.textureLayout();
+  const auto layout = scene_.source.layout;
   if (isReady(simplifying_)) {
     const Simplified done = simplifying_.get();
     if (done.mesh == mesh_ && done.layout == layout) {
       coarse(SurfaceForm::Simple) = false;
-      renderer_.setSimpleSurface(*done.surface);
-      const int samples[] = {1};
-      renderer_.warmUp(settings(state, 1), samples, SurfaceForm::Simple);
+      scene_.simple = done.surface;
     }
   }
   if (!slow_ || !derived_ || mesh_->triangleCount() < kDense || simplifying_.valid()) return;
@@ -267,17 +257,22 @@ void SceneView::takeSimple(const AppState& state) {
 void SceneView::takeIn(const AppState& state) {
   const Results& results = paneResults(state, pane_);
   takeMesh(state, results);
-  if (!mesh_) return;
+  if (!mesh_) {
+    renderer_.show(scene_);
+    return;
+  }
   takeDerived(state, results);
   if (results.segmentation != segmentation_) {
     segmentation_ = results.segmentation;
-    renderer_.setSegmentation(segmentation_.get());
+    scene_.source.segmentation = segmentation_;
+    scene_.source.stats = nullptr;
+    scene_.labels = nullptr;
     stats_.reset();
     borders_.reset();
     ++content_;
   }
   if (pane_.live() && recolored_ != state.view.recolored) {
-    renderer_.setChartColors(state.view.chartColors);
+    scene_.chartColors = shared(state.view.chartColors);
     recolored_ = state.view.recolored;
     ++content_;
   }
@@ -295,6 +290,22 @@ void SceneView::takeIn(const AppState& state) {
   takeUnwrap(results);
   takeDistortion(results);
   takeSimple(state);
+  showScene(state);
+}
+
+/// A whole flood at once would hold up the window; the rest comes with the next passes.
+void SceneView::showScene(const AppState& state) {
+  const bool simplified = scene_.simple != nullptr && scene_.simple != renderer_.scene().simple;
+  floodTaken_ = renderer_.show(scene_, kFacesAtOnce);
+  if (!floodTaken_) wake_();
+  const int samples[] = {1, kSmoothSamples};
+  if (derived_ && warmedFor_ != mesh_) {
+    renderer_.warmUp(RenderSettings{}, samples);
+    warmedFor_ = mesh_;
+  }
+  if (simplified) {
+    renderer_.warmUp(settings(state, 1), std::span(samples, 1), SurfaceForm::Simple);
+  }
 }
 
 }  // namespace chartflood

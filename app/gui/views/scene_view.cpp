@@ -168,7 +168,8 @@ std::vector<Index> SceneView::chartColorNumbers(const AppState& state) const {
 
 Pick SceneView::pick(int x, int y) {
   if (!shown_ || !mesh_ || !tree_) return {};
-  return renderer_.pick(shown_->camera, width_, height_, x, y);
+  return pickModel(*tree_, renderer_.bounds(), shown_->camera, {width_, height_, x, y},
+                   shownLabels(renderer_.scene()), shown_->settings.hiddenCharts);
 }
 
 }  // namespace chartflood

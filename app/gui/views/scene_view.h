@@ -92,7 +92,9 @@ class SceneView : public SceneSource {
   void takeIn(const AppState& state);
   void takeMesh(const AppState& state, const Results& results);
   void takeDerived(const AppState& state, const Results& results);
-  void showDerived(std::shared_ptr<const SurfaceDerived> derived, const SurfaceVertices* parted);
+  void showDerived(std::shared_ptr<const SurfaceDerived> derived,
+                   std::shared_ptr<const SurfaceVertices> parted);
+  void showScene(const AppState& state);
   void takeFlood(std::shared_ptr<const FloodRecord> record);
   void takeBorders(const AppState& state);
   void takeAreas(const AppState& state);
@@ -121,14 +123,14 @@ class SceneView : public SceneSource {
   std::uint64_t content_ = 0;               ///< grows with every upload
   int width_ = 1, height_ = 1;
 
+  render::Scene scene_;  ///< what the renderer is to show
   std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const Segmentation> segmentation_;
   /// Of the moment of the refinement whose labels are shown; null: the finished ones.
   std::shared_ptr<const ChartStats> borders_;
   std::shared_ptr<const ChartStats> stats_;  ///< whose areas colour the balance
   std::shared_ptr<const FloodRecord> record_;
-  std::size_t recorded_ = 0;  ///< entries that the record had at the last look
-  bool floodTaken_ = true;    ///< all of them are drawn from
+  bool floodTaken_ = true;  ///< all of it is drawn from
   std::vector<SeedMark> seeds_;
   unsigned recolored_ = 0;    ///< of the colours taken over from the state
   bool filmShown_ = false;    ///< lines of a film are drawn
@@ -161,7 +163,6 @@ class SceneView : public SceneSource {
   std::future<Flat> flat_;
   std::shared_ptr<const ChartSet> chartSet_;  ///< of the last one asked for
   std::shared_ptr<const Atlas> atlas_;
-  std::shared_ptr<const Unwrap> unwrap_;  ///< whose values are shown
 
   std::shared_ptr<const Mesh> warmedFor_;  ///< whose shaders are translated
 

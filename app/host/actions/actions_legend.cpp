@@ -30,7 +30,7 @@ std::string needsValues(const AppState& state) {
 
 /// Modes with ends that mean something: those of several kinds of elements have one range a kind.
 std::string needsRange(const AppState& state) {
-  if (state.view.render.colorMode == ColorMode::Gauss) {
+  if (colorModeInfo(state.view.render.colorMode).domain == ValueDomain::All) {
     return "Corners, edges and faces have a range each here; choose one of them (Q).";
   }
   return needsValues(state);

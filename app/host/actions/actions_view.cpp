@@ -16,7 +16,7 @@ namespace {
 
 std::vector<std::string> modeIds() {
   std::vector<std::string> ids;
-  for (ColorMode mode : availableColorModes()) ids.emplace_back(colorModeInfo(mode).id);
+  for (const ColorModeInfo& info : colorModeTable()) ids.emplace_back(info.id);
   return ids;
 }
 
@@ -61,15 +61,9 @@ void addColors(ActionRegistry& registry) {
                     [](const AppState& state, const Arguments& a) {
                       return colorModeInfo(state.view.render.colorMode).id == a.text("mode");
                     }});
-  registry.bind("1", "color-mode shaded");
-  registry.bind("2", "color-mode charts");
-  registry.bind("3", "color-mode gauss");
-  registry.bind("4", "color-mode balance");
-  registry.bind("5", "color-mode flood-time");
-  registry.bind("6", "color-mode stretch");
-  registry.bind("7", "color-mode area-distortion");
-  registry.bind("8", "color-mode angle-distortion");
-  registry.bind("9", "color-mode checkerboard");
+  for (const ColorModeInfo& info : colorModeTable()) {
+    if (*info.key != '\0') registry.bind(info.key, std::string("color-mode ") + info.id);
+  }
   registry.add({.id = "next-sub-mode",
                 .title = "Next of its kind",
                 .help = "Goes round the modes of one kind: Gauss area of all, corners, edges, "

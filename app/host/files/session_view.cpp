@@ -41,8 +41,6 @@ bool readColorMode(ViewSettings& view, const SessionValue& value) {
   const std::string* id = std::get_if<std::string>(&value);
   const ColorModeInfo* mode = id == nullptr ? nullptr : findColorMode(*id);
   if (mode == nullptr) return false;
-  const auto modes = availableColorModes();
-  if (std::find(modes.begin(), modes.end(), mode->mode) == modes.end()) return false;
   view.render.colorMode = mode->mode;
   return true;
 }

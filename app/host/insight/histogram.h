@@ -3,13 +3,11 @@
 /// scale.
 
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "app/host/insight/surface_derived.h"
-#include "core/session/session.h"
+#include "render/scene/mode_values.h"
 #include "render/scene/render_settings.h"
 #include "render/scene/scalar_range.h"
 
@@ -39,21 +37,9 @@ struct ModeHistogram {
   Histogram histogram;
 };
 
-/// What histograms are made from; parts may be null.
-struct HistogramSource {
-  std::shared_ptr<const SurfaceDerived> surface;
-  std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const ChartStats> stats;  ///< of the moment
-  std::shared_ptr<const Unwrap> unwrap;
-  std::shared_ptr<const FloodRecord> record;
-  std::size_t recorded = 0;  ///< entries that `record` had
-  std::size_t taken = 0;     ///< the first so many of them are to be counted
-};
-
 /// One histogram for most modes, three for Gauss area of all elements (faces, edges, vertices),
 /// none for modes without values or where they are not computed yet. Triangles count by their area,
 /// creases by their length, corners once, charts by their area. Cost: linear.
-std::vector<ModeHistogram> modeHistograms(const HistogramSource& source,
-                                          const RenderSettings& settings);
+std::vector<ModeHistogram> modeHistograms(const ModeSource& source, const RenderSettings& settings);
 
 }  // namespace chartflood

@@ -52,7 +52,7 @@ std::shared_ptr<const SurfaceDerived> Insight::surface(const Results& results) {
         CornerNormals normals = computeCornerNormals(*mesh, gaussArea->sharpAngle);
         auto vertices = surfaceVertices(*mesh, &normals);
         return SurfaceDerived{mesh, gaussArea, std::move(normals), std::move(vertices),
-                              gaussValues(*mesh, *gaussArea)};
+                              std::make_shared<const GaussValues>(gaussValues(*mesh, *gaussArea))};
       });
   return value && value->mesh == results.mesh ? value : nullptr;
 }
@@ -96,30 +96,17 @@ std::shared_ptr<const SurfaceMarks> Insight::problemMarks(const Results& results
 std::shared_ptr<const std::vector<ModeHistogram>>
 Insight::histograms(const Results& results, const ShownMoment& moment,
                     const RenderSettings& settings) {
-  HistogramSource source{
-      surface(results), results.mesh, moment.stats, results.unwrap, moment.record, 0, moment.taken};
-  HistogramKey key{source.surface, nullptr,       0, 0, settings.colorMode,
-                   settings.scale, settings.range};
-  switch (settings.colorMode) {
-  case ColorMode::Balance:
-    key.values = moment.stats;
-    break;
-  case ColorMode::FloodTime:
-  case ColorMode::FloodOrder:
-    key.values = moment.record;
-    key.weights = results.mesh;
-    key.recorded = source.recorded = moment.record ? moment.record->size() : 0;
-    key.taken = source.taken = std::min(moment.taken, source.recorded);
-    break;
-  case ColorMode::Stretch:
-  case ColorMode::AreaDistortion:
-  case ColorMode::AngleDistortion:
-    key.values = results.unwrap;
-    key.weights = results.mesh;
-    break;
-  default:
-    break;
-  }
+  const auto derived = surface(results);
+  ModeSource source;
+  source.mesh = results.mesh;
+  if (derived) source.gauss = derived->gaussValues;
+  source.stats = moment.stats;
+  source.unwrap = results.unwrap;
+  source.record = moment.record;
+  source.recorded = moment.record ? moment.record->size() : 0;
+  source.taken = std::min(moment.taken, source.recorded);
+  source = neededBy(settings.colorMode, source);
+  const HistogramKey key{source, settings.colorMode, settings.scale, settings.range};
   return histograms_.get(key, place_, [source = std::move(source), settings] {
     return modeHistograms(source, settings);
   });

@@ -73,8 +73,7 @@ class Insight {
   };
   /// What a histogram depends on, and how it is cut.
   struct HistogramKey {
-    std::shared_ptr<const void> values, weights;
-    std::size_t recorded = 0, taken = 0;
+    ModeSource source;
     ColorMode mode{};
     std::optional<ScalarScale> scale;
     std::optional<std::pair<double, double>> range;

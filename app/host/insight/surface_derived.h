@@ -6,8 +6,8 @@
 #include "core/model/corner_normals.h"
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
-#include "render/passes/gauss_layer.h"
-#include "render/passes/surface_vertices.h"
+#include "render/scene/gauss_values.h"
+#include "render/scene/surface_vertices.h"
 
 namespace chartflood {
 
@@ -17,7 +17,7 @@ struct SurfaceDerived {
   std::shared_ptr<const GaussArea> gaussArea;
   CornerNormals normals;
   std::shared_ptr<const SurfaceVertices> vertices;
-  GaussValues gaussValues;
+  std::shared_ptr<const GaussValues> gaussValues;
 };
 
 }  // namespace chartflood

@@ -3,7 +3,6 @@
 
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,12 +50,5 @@ LegendChoice presentLegend(const RenderSettings& render);
 void setLegend(RenderSettings& render, const LegendChoice& choice);
 /// Shows another mode with the legend that it had.
 void showColorMode(ViewSettings& view, ColorMode mode);
-
-/// The colour modes whose values are computed, in the order of the menu.
-std::span<const ColorMode> availableColorModes();
-
-/// The modes that share a number key with this one, itself included; the sub-choice key cycles
-/// through them.
-std::span<const ColorMode> colorModeFamily(ColorMode mode);
 
 }  // namespace chartflood

@@ -1,4 +1,4 @@
-#include "render/passes/simple_surface.h"
+#include "render/scene/simple_surface.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "render/passes/surface_vertices.h"
+#include "render/scene/surface_vertices.h"
 
 #include <cstddef>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/model/mesh.h"
-#include "render/passes/surface_vertices.h"
+#include "render/scene/surface_vertices.h"
 #include "render/scene/uv_layout.h"
 
 namespace chartflood {
