@@ -36,7 +36,7 @@ ResultsPtr laidFlat(Session& session, const Invocation& call, const std::string&
   Document document = session.document();
   document.parameters.unwrap = outline;
   document.parameters.layout = shown ? call.parameters.layout : "square";
-  session.setDocument(document, false);
+  session.setDocument(document, Session::Answer::Nothing);
   session.unwrap();
   waitForSession(session, call);
   ResultsPtr results = session.results();
@@ -92,7 +92,7 @@ std::vector<MethodRun> runsOf(Session& session, const Invocation& call) {
     one.parameters = comparedWith(call.parameters, method);
     Document document = session.document();
     document.parameters = one.parameters;
-    session.setDocument(document, false);
+    session.setDocument(document, Session::Answer::Nothing);
     session.resetSeeds();
     segment(session, one);
     runs.push_back(measured(session, one, finishes, true));
@@ -106,7 +106,7 @@ std::vector<MethodRun> runsOf(Session& session, const Invocation& call) {
     // Only borders change: finished charts are finished again in the other way.
     document = session.document();
     document.parameters = left;
-    session.setDocument(document, true);
+    session.setDocument(document, Session::Answer::Flood);
     waitForSession(session, call);
     const double milliseconds = runs.back().row.segmentMilliseconds;
     runs.push_back(measured(session, one, false, false));

@@ -121,7 +121,7 @@ bool takeSession(Session& session, const Invocation& call) {
   if (again) {
     session.restore(document, content.moment);
   } else {
-    session.setDocument(document, false);
+    session.setDocument(document, Session::Answer::Nothing);
   }
   waitForSession(session, call);
   return again;
@@ -141,7 +141,7 @@ void placeSeeds(Session& session, const Invocation& call) {
                      " faces, but --charts=" + std::to_string(document.parameters.charts) +
                      " asks for fewer charts: leave --charts out or raise it.");
   }
-  session.setDocument(document, false);
+  session.setDocument(document, Session::Answer::Nothing);
   waitForSession(session, call);
 }
 
@@ -149,7 +149,7 @@ void takeHints(Session& session, const Invocation& call) {
   if (call.hints.empty()) return;
   Document document = session.document();
   document.hints = readHints(call.hints, *session.results()->mesh);
-  session.setDocument(document, false);
+  session.setDocument(document, Session::Answer::Nothing);
   waitForSession(session, call);
 }
 
@@ -165,7 +165,7 @@ bool findChartCount(Session& session, const Invocation& call) {
   document.parameters.reliefStretch = chosen.parameters.reliefStretch;
   const bool again = document.parameters.bestOf > 1;  // generator seeds are tried for that number
   if (again) {
-    session.setDocument(document, false);
+    session.setDocument(document, Session::Answer::Nothing);
   } else {
     session.restore(document, chosen.moment);
   }
@@ -188,7 +188,7 @@ std::string needsFlatCharts(const Invocation& call) {
 void openInput(Session& session, const Invocation& call) {
   Document document;
   document.parameters = call.parameters;
-  session.setDocument(document, false);
+  session.setDocument(document, Session::Answer::Nothing);
   if (call.file.empty()) {
     checkSample(call.sample);
     session.openSample(call.sample, call.triangles);

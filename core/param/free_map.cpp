@@ -10,13 +10,14 @@ namespace chartflood {
 
 namespace {
 
+constexpr int kStartSteps = 12, kSketchSteps = 4;
 constexpr int kDirectSteps = 8, kLooseSteps = 30, kSettlingSteps = 20, kGuardedSteps = 120;
 constexpr double kLooseTolerance = 1e-3;
 
 /// Few steps from a free boundary; empty when triangles flip on the way.
-std::vector<glm::dvec2> directStart(const ChartShape& shape, const Progress& progress) {
+std::vector<glm::dvec2> directStart(const ChartShape& shape, int steps, const Progress& progress) {
   std::vector<glm::dvec2> uv = conformalMap(shape);
-  if (uv.empty() || !localGlobalSteps(shape, 12, progress, uv)) return {};
+  if (uv.empty() || !localGlobalSteps(shape, steps, progress, uv)) return {};
   if (!scaleToUnitArea(shape.rest, uv) || !allPositive(shape.rest, uv)) return {};
   return uv;
 }
@@ -40,10 +41,15 @@ std::vector<glm::dvec2> freeMap(const ChartShape& shape, const Progress& progres
 }
 
 std::vector<glm::dvec2> directMap(const ChartShape& shape, const Progress& progress) {
-  std::vector<glm::dvec2> uv = directStart(shape, progress);
+  std::vector<glm::dvec2> uv = directStart(shape, kStartSteps, progress);
   if (uv.empty()) return {};
   minimiseIsometric(shape, {.steps = kDirectSteps}, progress, uv);
   return simpleOrNone(shape, std::move(uv));
+}
+
+std::vector<glm::dvec2> sketchedMap(const ChartShape& shape, const Progress& progress) {
+  std::vector<glm::dvec2> uv = directStart(shape, kSketchSteps, progress);
+  return uv.empty() ? uv : simpleOrNone(shape, std::move(uv));
 }
 
 std::vector<glm::dvec2> looseMap(const ChartShape& shape, std::vector<glm::dvec2> start,

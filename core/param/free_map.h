@@ -18,6 +18,10 @@ std::vector<glm::dvec2> freeMap(const ChartShape& shape, const Progress& progres
 /// itself.
 std::vector<glm::dvec2> directMap(const ChartShape& shape, const Progress& progress);
 
+/// The direct map after fewer steps, for a look while values are dragged: it stretches hardly more.
+/// Empty as the direct map is.
+std::vector<glm::dvec2> sketchedMap(const ChartShape& shape, const Progress& progress);
+
 /// From a circle, never leaving one-to-one maps.
 std::vector<glm::dvec2> guardedMap(const ChartShape& shape, const Progress& progress);
 

@@ -1,10 +1,12 @@
 #include "core/param/unwrap_chart.h"
 
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/param/circle_map.h"
+#include "core/param/free_map.h"
 #include "core/param/relief_cuts.h"
 #include "core/param/thin_charts.h"
 
@@ -16,6 +18,17 @@ namespace {
 /// Measured limits of 1.5, 3, 4, 6 and 10 for a mean L2 of the armadillo's 20 charts of 4.4, 3.5,
 /// 3.2, 3.0 and 4.6 with 129, 52, 34, 9 and 1 cuts: slits have a boundary to squeeze themselves.
 constexpr double kCircleFactor = 4;
+
+/// False when a sketch has flips, covers itself or stretches more than it may.
+bool sketchFlat(const CutChart& chart, const UnwrapOptions& options, const Progress& progress,
+                FlatAttempt& flat) {
+  const ChartShape shape(chart.surface);
+  std::vector<glm::dvec2> places = sketchedMap(shape, progress);
+  if (places.empty()) return false;
+  flat = measuredMap(shape, std::move(places));
+  return flat.keeps(options.reliefStretch > 0 ? reliefLimit(options)
+                                              : std::numeric_limits<double>::infinity());
+}
 
 }  // namespace
 
@@ -38,6 +51,8 @@ FlatChart unwrapChart(const CutChart& chart, const UnwrapOptions& options,
   if (!circle) thin = layThinFlat(chart, mayCut, progress);
   if (thin) {
     done = *std::move(thin);
+  } else if (!circle && options.sketch && sketchFlat(chart, options, progress, done.flat)) {
+    // It does for a look.
   } else if (mayCut) {
     done = layFlatWithin(reliefLimit(options), chart, options.boundary, progress);
   } else {

@@ -18,6 +18,9 @@ struct UnwrapOptions {
   Boundary boundary = Boundary::Free;
   double reliefStretch = 1.5;  ///< L2 stretch from which a chart is slit; 0: never
 
+  /// Free maps after fewer steps where these do, for a look while values are dragged.
+  bool sketch = false;
+
   bool operator==(const UnwrapOptions&) const = default;
 };
 

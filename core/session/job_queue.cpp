@@ -67,9 +67,16 @@ void JobQueue::cancel(Kind kind) {
   if (running_ && runningKind_ == kind) running_->cancel();
 }
 
+void JobQueue::drop(Kind kind) {
+  std::lock_guard lock(mutex_);
+  std::erase_if(waiting_, [&](const Entry& entry) { return entry.kind == kind; });
+}
+
 void JobQueue::cancelAll() {
   std::lock_guard lock(mutex_);
-  std::erase_if(waiting_, [](const Entry& entry) { return entry.kind != Kind::Apply; });
+  std::erase_if(waiting_, [](const Entry& entry) {
+    return entry.kind != Kind::Apply && entry.kind != Kind::Sketch;
+  });
   if (running_) running_->cancel();
 }
 

@@ -16,7 +16,7 @@ namespace chartflood {
 class JobQueue {
  public:
   /// What a job is for: decides which jobs a new one makes pointless.
-  enum class Kind { Open, Apply, Step, Unwrap };
+  enum class Kind { Open, Apply, Sketch, Step, Unwrap };
   using Job = std::function<void(Progress&)>;
 
   enum class Thread { Own, OwnInBackground, Callers };
@@ -30,6 +30,8 @@ class JobQueue {
   void add(Kind kind, Job job);
   /// Cancels the running job and drops waiting ones, if their kind is `kind`.
   void cancel(Kind kind);
+  /// Drops waiting jobs of a kind; a running one goes on.
+  void drop(Kind kind);
   /// Cancels the running job and drops waiting ones. New values (Apply) still wait: whoever gave
   /// them goes on to count on them.
   void cancelAll();

@@ -78,17 +78,27 @@ class Session::Engine {
     });
   }
 
-  void setDocument(const Document& document, bool live) {
-    dropSeeds_ = false;
-    document_ = document;
-    queue_.cancel(JobQueue::Kind::Step);
-    queue_.cancel(JobQueue::Kind::Apply);
-    queue_.cancel(JobQueue::Kind::Unwrap);
+  void setDocument(const Document& document, Answer answer) {
+    takeValues(document, answer);
+    if (answer == Answer::Sketch || answer == Answer::Finished) return explore(document, answer);
+    const bool live = answer == Answer::Flood;
     add(JobQueue::Kind::Apply, [this, document, live](Progress& progress) {
       const bool changed = pipeline_.apply(document, live, progress);
       if (pipeline_.takeVoidSeeds()) dropSeeds_ = true;
       publish(changed && !pipeline_.stale());
       if (live) unwrapWhenDue(progress);
+    });
+  }
+
+  void explore(const Document& document, Answer answer) {
+    const bool sketch = answer == Answer::Sketch;
+    const auto kind = sketch ? JobQueue::Kind::Sketch : JobQueue::Kind::Apply;
+    const Depth depth = sketch ? Depth::Sketch : Depth::Whole;
+    add(kind, [this, document, depth](Progress& progress) {
+      pipeline_.explore(document, depth, progress);
+      if (pipeline_.takeVoidSeeds()) dropSeeds_ = true;
+      publish(false);
+      unwrapWhenDue(progress);
     });
   }
 
@@ -107,17 +117,13 @@ class Session::Engine {
   void setAutoUnwrap(bool on) { autoUnwrap_ = on; }
   void setFloodLogs(FloodLogs logs) { pipeline_.setFloodLogs(logs); }
 
-  void restore(const Document& document, const FloodMoment& moment) {
-    if (moment.start.seeds.empty()) return setDocument(document, true);
-    dropSeeds_ = false;
-    document_ = document;
-    queue_.cancel(JobQueue::Kind::Step);
-    queue_.cancel(JobQueue::Kind::Apply);
-    queue_.cancel(JobQueue::Kind::Unwrap);
+  void restore(const Document& document, const FloodMoment& moment, Answer otherwise) {
+    if (moment.start.seeds.empty()) return setDocument(document, otherwise);
+    takeValues(document, otherwise);
     add(JobQueue::Kind::Apply, [this, document, moment](Progress& progress) {
-      pipeline_.restore(document, moment, progress);
+      const bool made = pipeline_.restore(document, moment, progress);
       if (pipeline_.takeVoidSeeds()) dropSeeds_ = true;
-      publish(true);
+      publish(made);
       unwrapWhenDue(progress);
     });
   }
@@ -126,6 +132,13 @@ class Session::Engine {
     queue_.cancel(JobQueue::Kind::Unwrap);
     add(JobQueue::Kind::Step, [this, unit, count](Progress& progress) {
       if (!requireMesh()) return;
+      // From charts that are no batch run's the way to the end is one.
+      if (unit == StepUnit::Converged && pipeline_.unsettled()) {
+        const Document document = pipeline_.document();
+        pipeline_.explore(document, Depth::Whole, progress);
+        publish(false);
+        return unwrapWhenDue(progress);
+      }
       if (unit == StepUnit::Converged && pipeline_.triesSeeds()) {
         const StepOutcome outcome = pipeline_.stepWithSeeds(progress);
         publish(outcome != StepOutcome::Cancelled);
@@ -201,6 +214,18 @@ class Session::Engine {
   void setWake(void (*call)()) { wake_ = call; }
 
  private:
+  /// On the caller's thread: older values, and what would be done with them, are void.
+  void takeValues(const Document& document, Answer answer) {
+    dropSeeds_ = false;
+    document_ = document;
+    queue_.cancel(JobQueue::Kind::Step);
+    queue_.cancel(JobQueue::Kind::Apply);
+    queue_.cancel(JobQueue::Kind::Unwrap);
+    // While a value is dragged, what is shown must come to an end now and then.
+    if (answer == Answer::Sketch) return queue_.drop(JobQueue::Kind::Sketch);
+    queue_.cancel(JobQueue::Kind::Sketch);
+  }
+
   /// Adds a job whose failures become notices.
   void add(JobQueue::Kind kind, JobQueue::Job job) {
     queue_.add(kind, [this, job = std::move(job)](Progress& progress) {
@@ -310,12 +335,12 @@ void Session::openMesh(std::shared_ptr<const Mesh> mesh) {
 
 const Document& Session::document() const { return engine_->document(); }
 
-void Session::setDocument(const Document& document, bool live) {
-  engine_->setDocument(document, live);
+void Session::setDocument(const Document& document, Answer answer) {
+  engine_->setDocument(document, answer);
 }
 
-void Session::restore(const Document& document, const FloodMoment& moment) {
-  engine_->restore(document, moment);
+void Session::restore(const Document& document, const FloodMoment& moment, Answer otherwise) {
+  engine_->restore(document, moment, otherwise);
 }
 
 void Session::step(StepUnit unit, std::size_t count) { engine_->step(unit, count); }

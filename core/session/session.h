@@ -37,13 +37,20 @@ class Session {
   void openMesh(std::shared_ptr<const Mesh> mesh);
 
   const Document& document() const;
-  /// Takes new values. What they make stale is recomputed: the Gauss area at once; when charts
-  /// were shown, one flood from the present seeds with the new values (`live`), otherwise nothing
-  /// more until a step is asked for.
-  void setDocument(const Document& document, bool live = true);
+  /// What new values are answered with.
+  enum class Answer {
+    Nothing,   ///< more than what they make stale before the flood, until a step is asked for
+    Flood,     ///< where charts were shown, one flood from the present seeds
+    Sketch,    ///< finished charts of less depth, soon: for values that are still being dragged
+    Finished,  ///< the finished charts of a batch run with the same values, the same bytes
+  };
+  /// Takes new values. Old charts stay until the answer is there. A newer value cancels the answer
+  /// to an older one, but for sketches, of which the one that is being made is shown.
+  void setDocument(const Document& document, Answer answer = Answer::Flood);
   /// Takes new values and makes the charts of a moment again. Without seeds in the moment this is
-  /// setDocument(document).
-  void restore(const Document& document, const FloodMoment& moment);
+  /// setDocument(document, otherwise).
+  void restore(const Document& document, const FloodMoment& moment,
+               Answer otherwise = Answer::Flood);
 
   /// Lays the present charts flat: cuts, unwraps and packs what is not up to date. Needs complete
   /// charts; a notice says so where there are none.

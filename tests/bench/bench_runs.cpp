@@ -94,7 +94,7 @@ void bestOf(benchmark::State& state, const std::string& name) {
   Document document;
   document.parameters.charts = kCharts;
   document.parameters.bestOf = kSeeds;
-  session.setDocument(document, false);
+  session.setDocument(document, Session::Answer::Nothing);
   session.openMesh(p.in.mesh);
   for (auto _ : state) {
     session.resetSeeds();

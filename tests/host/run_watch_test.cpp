@@ -41,7 +41,7 @@ class RunWatchTest : public testing::Test {
     Document document;
     document.parameters = parameters;
     document.parameters.bestOf = 1;
-    session.setDocument(document, false);
+    session.setDocument(document, Session::Answer::Nothing);
     session.openSample(sample, triangles);
     session.step(StepUnit::Converged);
     return session.results()->segmentation->label;

@@ -20,7 +20,8 @@ void AppState::changeDocument(const Document& document, std::string name, const 
   const Document after = withFittingSeeds(before, document);
   if (after != before) undo_.changed(present(), std::move(name), key);
   if (!dragging) undo_.close();
-  session_.setDocument(after, floodsLive(dragging));
+  session_.setDocument(after,
+                       floodsLive(dragging) ? Session::Answer::Flood : Session::Answer::Nothing);
 }
 
 void AppState::rememberCharts(std::string name) {

@@ -26,7 +26,7 @@ void MethodRuns::begin(std::shared_ptr<const Mesh> mesh, const Document& documen
 void MethodRuns::beginNext() {
   running_ = document_;
   running_.parameters = comparedWith(document_.parameters, comparedMethods()[done_.size()]);
-  session_->setDocument(running_, false);
+  session_->setDocument(running_, Session::Answer::Nothing);
   session_->resetSeeds();
   session_->step(StepUnit::Converged);
 }

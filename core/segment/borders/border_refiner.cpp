@@ -52,6 +52,7 @@ BorderRefiner::BorderRefiner(const SegmentInputs& inputs, std::span<const double
     cuts.creaseWeight = options_.creaseWeight;
     cuts.eta = in_.floodGraph->eta;
     cuts.oneSided = options_.oneSided;
+    cuts.sketch = options_.sketch;
     // A method's own cost has no way to full weight: charts would leave what it found.
     cuts.price = options_.price.get();
     cuts.anneal = options_.price == nullptr;
@@ -86,7 +87,7 @@ void BorderRefiner::beginMoves() {
 /// cuts' seams stay but for a few per cent of length.
 void BorderRefiner::evenOutAfterCuts() {
   // One-sided balance lets charts be as small as their creases make them.
-  if (options_.oneSided || !(options_.balanceWeight > 0)) return;
+  if (options_.oneSided || options_.sketch || !(options_.balanceWeight > 0)) return;
   beginMoves();
   const double uneven = unevenFrom(in_.mesh->faceCount(), charts_, options_.balanceWeight);
   if (moves_->deviation() <= uneven) moves_.reset();

@@ -96,6 +96,11 @@ class SeamCuts::Engine {
   /// One-sided balance holds no charts that are to be more even or less: it has no common way.
   std::vector<SeamStage> stagesFor(const Options& options) const {
     const std::size_t faces = mesh_.faceCount();
+    if (options.sketch) {
+      std::vector<SeamStage> stages = seamSketch(faces, evened_, options.anneal);
+      for (SeamStage& stage : stages) stage.weight *= options.weight;
+      return stages;
+    }
     if (options.anneal && !options.oneSided) {
       return seamScheduleTo(options.weight, faces, evened_, options.clusters);
     }

@@ -39,6 +39,7 @@ class SeamCuts {
     bool oneSided = false;                    ///< only charts above their share of the whole cost
     ChartPrice* price = nullptr;              ///< the method's own cost, added to the energy
     bool clusters = true;  ///< begin on clusters of faces; false: on single faces throughout
+    bool sketch = false;   ///< few stages: seams end some per cent longer, in a fourth of the time
     bool anneal = true;    ///< false: the last two stages only, at full weight
   };
 

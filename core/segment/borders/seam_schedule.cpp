@@ -13,6 +13,15 @@ constexpr std::size_t kManyFaces = 400000;
 constexpr double kCommonWeight = 1000;
 constexpr double kStep = 10;  ///< between weights on the way from there
 
+/// Faces of a cluster in the first stage.
+double clusterSize(std::size_t faces, std::size_t charts) {
+  const double count = static_cast<double>(faces);
+  const double size = std::max(std::min(count / 4500, 16.0), count / 16000);
+  return std::min(size, count / (100 * static_cast<double>(charts)));
+}
+
+std::size_t whole(double size) { return static_cast<std::size_t>(std::max(1.0, size)); }
+
 }  // namespace
 
 // Measured over four meshes of 70,000 to 270,000 faces and three floods of each: from a hundredth
@@ -22,11 +31,7 @@ constexpr double kStep = 10;  ///< between weights on the way from there
 std::vector<SeamStage> seamSchedule(std::size_t faces, std::size_t charts, bool clusters,
                                     bool anneal) {
   const bool many = faces > kManyFaces;
-  const double count = static_cast<double>(faces);
-  double size = std::max(std::min(count / 4500, 16.0), count / 16000);
-  size = std::min(size, count / (100 * static_cast<double>(charts)));
-  if (!clusters) size = 1;
-  const auto whole = [](double s) { return static_cast<std::size_t>(std::max(1.0, s)); };
+  const double size = clusters ? clusterSize(faces, charts) : 1;
   std::vector<SeamStage> stages;
   if (anneal) {
     stages = {{0.01, 1.5, whole(size)},  {0.02, 1.2, whole(size)},    {0.05, 1, whole(size)},
@@ -40,6 +45,14 @@ std::vector<SeamStage> seamSchedule(std::size_t faces, std::size_t charts, bool 
     stages.push_back({1, 0.5, 1, clusters ? 3 : SeamStage{}.sweeps});
     stages.push_back({1, many ? 0.125 : 0.25, 1, clusters ? kLastSweeps : SeamStage{}.sweeps});
   }
+  return stages;
+}
+
+std::vector<SeamStage> seamSketch(std::size_t faces, std::size_t charts, bool anneal) {
+  if (!anneal) return {{1, 0.5, 1, 2}};
+  const std::size_t size = whole(clusterSize(faces, charts));
+  std::vector<SeamStage> stages = {{0.02, 1.2, size, 2}, {0.2, 0.8, size, 2}};
+  stages.push_back({1, faces > kManyFaces ? 0.125 : 0.25, 1, 1});
   return stages;
 }
 

@@ -20,6 +20,9 @@ struct SeamStage {
 std::vector<SeamStage> seamSchedule(std::size_t faces, std::size_t charts, bool clusters,
                                     bool anneal);
 
+/// A short way, for a look while values are dragged; weights as factors.
+std::vector<SeamStage> seamSketch(std::size_t faces, std::size_t charts, bool anneal);
+
 /// The same way for every weight w, to 1000, then on to w in steps of ten: downwards seams only
 /// get shorter, upwards charts only more even, so that the seams of a larger w are not shorter.
 /// Each weight with a way of its own ends in another place, by up to 3 % of length either way.

@@ -122,6 +122,7 @@ struct RefineOptions {
   double balanceWeight = 1000;  ///< w of the cuts
   double creaseWeight = 0.3;    ///< length of a crease line against other edges', of the cuts
   double cleanUp = 1000;        ///< weight of balance of the moves
+  bool sketch = false;          ///< cuts: few stages, for a look while values are dragged
   bool oneSided = false;        ///< cuts: only charts above their share of the whole cost
   /// Factor on the length of each side of the mesh, from hints; null: 1.
   std::shared_ptr<const std::vector<double>> sideFactor;

@@ -24,7 +24,8 @@ class FloodHistory {
  public:
   static constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
-  explicit FloodHistory(std::size_t mostBytes = kMostBytes) : mostBytes_(mostBytes) {}
+  FloodHistory() : FloodHistory(kMostBytes) {}
+  explicit FloodHistory(std::size_t mostBytes) : mostBytes_(mostBytes) {}
 
   /// Forgets everything: another run begins.
   void clear();

@@ -28,10 +28,10 @@ std::string repairsText(const Mesh& mesh) {
 
 void Pipeline::setMesh(std::shared_ptr<const Mesh> mesh, double readMilliseconds,
                        Progress& progress) {
-  timing_ = {.read = readMilliseconds};
-  start_.seeds.clear();
-  start_.offsets.clear();
-  start_.normals.clear();
+  run_.timing = {.read = readMilliseconds};
+  run_.start.seeds.clear();
+  run_.start.offsets.clear();
+  run_.start.normals.clear();
   document_.seeds.clear();
   document_.hints.clear();
   takeMesh(std::move(mesh));
@@ -44,15 +44,14 @@ void Pipeline::takeMesh(std::shared_ptr<const Mesh> mesh) {
   mesh_ = std::move(mesh);
   features_ = featureCount(*mesh_);
   ++meshVersion_;
-  stepper_.reset();
-  flood_.reset();
-  floods_.clear();
-  segmentation_.reset();
-  stats_.reset();
-  flat_ = shownFlat_ = {};
-  unwrapAsked_ = false;
+  const FloodStart start = std::move(run_.start);
+  const Timing timing = run_.timing;
+  run_ = ChartRun{};
+  run_.start = start;
+  run_.timing = timing;
+  overtaken_ = false;
+  kept_.clear();
   chartRuns_.reset();
-  found_.reset();
   toldCharts_ = 0;
   toldLiteral_ = false;
   tell(Notice::Kind::Info, "Loaded " + std::to_string(mesh_->triangleCount()) + " triangles in " +
@@ -69,12 +68,12 @@ void Pipeline::glueAnew(Progress& progress) {
   for (Index f = 0; sameFaces && f < mesh_->faceCount(); ++f) {
     sameFaces = old->inputFace(f) == mesh_->inputFace(f);
   }
-  start_.offsets.clear();
-  start_.normals.clear();
+  run_.start.offsets.clear();
+  run_.start.normals.clear();
   // Other parts want other seeds; those placed by hand stay where faces have the same numbers.
-  start_.seeds = seedFaces(document_.seeds);
+  run_.start.seeds = seedFaces(document_.seeds);
   if (sameFaces) return;
-  start_.seeds.clear();
+  run_.start.seeds.clear();
   document_.seeds.clear();
   document_.hints.clear();
   seedsVoid_ = true;
@@ -86,7 +85,7 @@ void Pipeline::makeGaussArea(Progress& progress) {
   gauss_ =
       std::make_shared<const GaussArea>(computeGaussArea(*mesh_, document_.parameters.sharpAngle));
   ++gaussVersion_;
-  timing_.gaussArea = stopwatch.milliseconds();
+  run_.timing.gaussArea = stopwatch.milliseconds();
   if (gauss_->total() < 1e-9 && document_.parameters.areaShare > 0) {
     tell(Notice::Kind::Info, "This model has no curvature; balance is by surface area instead.");
   }
@@ -98,18 +97,26 @@ void Pipeline::makeGraph(Progress& progress) {
   const Parameters& p = document_.parameters;
   graph_ = std::make_shared<const FloodGraph>(
       buildFloodGraph(*mesh_, *gauss_, {p.speedPower, p.speedEpsilon, p.areaShare}));
-  timing_.floodGraph = stopwatch.milliseconds();
+  run_.timing.floodGraph = stopwatch.milliseconds();
+}
+
+void Pipeline::makeGround(const Parameters& before, Progress& progress) {
+  Stage stage = Stage::Layout;
+  if (!firstDifference(before, document_.parameters, stage)) return;
+  if (stage == Stage::Mesh) glueAnew(progress);
+  if (stage <= Stage::Gauss) makeGaussArea(progress);
+  if (stage <= Stage::Graph) makeGraph(progress);
 }
 
 void Pipeline::dropNewestSeeds(std::size_t wanted) {
   const std::vector<Index> locked = lockedFaces(document_.seeds);
   std::vector<PlacedSeed> seeds;
-  for (const Index face : start_.seeds) {
+  for (const Index face : run_.start.seeds) {
     const bool stays = std::find(locked.begin(), locked.end(), face) != locked.end();
     seeds.push_back({face, stays});
   }
   dropNewestUnlocked(seeds, wanted);
-  start_.seeds = seedFaces(seeds);
+  run_.start.seeds = seedFaces(seeds);
 }
 
 void Pipeline::reviseSeeds(const Document& before) {
@@ -119,31 +126,31 @@ void Pipeline::reviseSeeds(const Document& before) {
   // are.
   // Seeds that were dropped because of fewer charts leave the others where the rounds took them.
   const Document followed = withFittingSeeds(before, {now, before.seeds, before.hints});
-  const std::vector<Index> old = start_.seeds;
-  if (document_.seeds != before.seeds && document_.seeds != followed.seeds) start_.seeds = placed;
+  const std::vector<Index> old = run_.start.seeds;
+  if (document_.seeds != before.seeds && document_.seeds != followed.seeds)
+    run_.start.seeds = placed;
   // What one method's rounds arrived at is no beginning for another's.
   if (now.method != before.parameters.method) {
-    start_.seeds = placed;
-    start_.offsets.clear();
+    run_.start.seeds = placed;
+    run_.start.offsets.clear();
   }
-  if (now.rngSeed != before.parameters.rngSeed) start_.seeds = placed;
+  if (now.rngSeed != before.parameters.rngSeed) run_.start.seeds = placed;
   if (chartsInForce(now, features_) != chartsInForce(before.parameters, features_)) {
     dropNewestSeeds(effectiveChartCount(*mesh_, wantedCharts()));
-    start_.offsets.clear();
+    run_.start.offsets.clear();
     toldCharts_ = 0;
   }
   // Offsets are Gauss areas: they mean nothing once these are measured differently.
   if (now.sharpAngle != before.parameters.sharpAngle ||
-      start_.seeds.size() != start_.offsets.size()) {
-    start_.offsets.clear();
+      run_.start.seeds.size() != run_.start.offsets.size()) {
+    run_.start.offsets.clear();
   }
   // Normals belong to charts grown from just these seeds.
-  if (start_.seeds != old) start_.normals.clear();
+  if (run_.start.seeds != old) run_.start.normals.clear();
 }
 
 bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   const Document before = std::exchange(document_, document);
-  if (before != document) found_.reset();
   Stage stage = Stage::Layout;
   bool changed = firstDifference(before.parameters, document.parameters, stage);
   if (before.hints != document.hints) {
@@ -154,102 +161,98 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
   const bool overdue = live && stale();
   if (!mesh_ || (!changed && before.seeds == document.seeds && !overdue)) return false;
   const bool samePlaces =
-      before.seeds == document.seeds || seedFaces(document.seeds) == start_.seeds;
+      before.seeds == document.seeds || seedFaces(document.seeds) == run_.start.seeds;
   // What comes after the labels leaves them as they are.
   if (stage >= Stage::Cut && before.seeds == document.seeds && !overdue) return false;
-  if (stage >= Stage::Cut && samePlaces && stepper_) {  // nor do locks
-    locksChanged_ = true;
+  if (stage >= Stage::Cut && samePlaces && run_.stepper) {  // nor do locks
+    run_.locksChanged = true;
     return false;
   }
   // Nor do rounds to come change charts that are finished.
   const bool onlyRounds = differOnlyInRounds(before.parameters, document.parameters) &&
                           before.seeds == document.seeds && before.hints == document.hints;
-  if (finished() && onlyRounds) return false;
-  const bool hadCharts = stepper_ != nullptr || segmentation_ != nullptr;
+  if (standing() && onlyRounds) return false;
+  const bool hadCharts = run_.stepper != nullptr || run_.segmentation != nullptr;
   // Another method begins from its own seeds: where charts were finished, its own are made.
   const bool otherMethod =
-      finished() && (document.parameters.method != before.parameters.method ||
+      standing() && (document.parameters.method != before.parameters.method ||
                      (document.parameters.start != before.parameters.start &&
-                      start_.creases.has_value() != wantsCreases().has_value()) ||
+                      run_.start.creases.has_value() != wantsCreases().has_value()) ||
                      (document.parameters.search != before.parameters.search &&
-                      start_.fast.has_value() != wantsFast().has_value()));
-  const bool keepFinal = finished() && samePlaces && stage >= Stage::Iterations;
+                      run_.start.fast.has_value() != wantsFast().has_value()));
+  const bool keepFinal = standing() && samePlaces && stage >= Stage::Iterations;
   reviseSeeds(before);
-  stepper_.reset();
-  if (changed && stage == Stage::Mesh) glueAnew(progress);
-  if (changed && stage <= Stage::Gauss) makeGaussArea(progress);
-  if (changed && stage <= Stage::Graph) makeGraph(progress);
+  setAside();
+  makeGround(before.parameters, progress);
   if (!hadCharts || !live) return true;
   // Where only later stages changed, the finished charts are finished again in the new way.
-  const std::optional<std::uint32_t> creases = keepFinal ? start_.creases : wantsCreases();
+  const std::optional<std::uint32_t> creases = keepFinal ? run_.start.creases : wantsCreases();
   // Middles of charts from creases are no beginning for a flood.
-  if (creases != start_.creases) {
-    start_.seeds = seedFaces(document.seeds);
-    start_.offsets.clear();
-    start_.normals.clear();
+  if (creases != run_.start.creases) {
+    run_.start.seeds = seedFaces(document.seeds);
+    run_.start.offsets.clear();
+    run_.start.normals.clear();
   }
   makeStepper(keepFinal ? 1 : static_cast<std::size_t>(document.parameters.maxIterations), creases,
-              keepFinal ? start_.fast : wantsFast());
+              keepFinal ? run_.start.fast : wantsFast());
   const Stopwatch stopwatch;
   const bool toTheEnd = keepFinal || otherMethod;
-  stepper_->advance(toTheEnd ? StepUnit::Converged : StepUnit::Flood, 1, progress);
+  run_.stepper->advance(toTheEnd ? StepUnit::Converged : StepUnit::Flood, 1, progress);
   keepFlood();
-  timing_.segment = stopwatch.milliseconds();
+  run_.timing.segment = stopwatch.milliseconds();
   return true;
 }
 
 bool Pipeline::standsAt(const FloodMoment& moment) const {
-  return stepper_ && stepper_->record() && start_ == moment.start &&
-         finished() == moment.finished && stepper_->record()->size() == moment.taken;
+  return run_.stepper && run_.stepper->record() && run_.start == moment.start &&
+         finished() == moment.finished && run_.stepper->record()->size() == moment.taken;
 }
 
-void Pipeline::restore(const Document& document, const FloodMoment& moment, Progress& progress) {
+bool Pipeline::restore(const Document& document, const FloodMoment& moment, Progress& progress) {
   const Document before = std::exchange(document_, document);
-  if (!mesh_) return;
+  if (!mesh_) return false;
   Stage stage = Stage::Layout;
-  const bool changed = firstDifference(before.parameters, document.parameters, stage);
+  firstDifference(before.parameters, document.parameters, stage);
   if (before.hints != document.hints) stage = std::min(stage, Stage::Refine);
-  if (stage >= Stage::Cut && standsAt(moment)) {  // what comes after the labels, or locks
-    locksChanged_ = locksChanged_ || before.seeds != document.seeds;
-    return;
+  if (stage >= Stage::Cut && !unsettled() &&
+      standsAt(moment)) {  // what comes after the labels, or locks
+    run_.locksChanged = run_.locksChanged || before.seeds != document.seeds;
+    return false;
   }
-  const std::unique_ptr<Pipeline> found = std::move(found_);
-  stepper_.reset();
-  if (changed && stage == Stage::Mesh) glueAnew(progress);
-  if (changed && stage <= Stage::Gauss) makeGaussArea(progress);
-  if (changed && stage <= Stage::Graph) makeGraph(progress);
-  if (seedsVoid_) return;
-  // The charts of a search for their number need not be made again.
-  if (found && found->mesh_ == mesh_ && found->document_ == document &&
-      found->asRun(false).moment == moment) {
-    seedRuns_.reset();
-    return takeOver(*found);
+  setAside();
+  // Charts that were finished before, or by a search for their number, need not be made again.
+  if (std::optional<ChartRun> kept = kept_.take(document, &moment)) {
+    takeOver(*std::move(kept));
+    return false;
   }
-  start_ = moment.start;
+  makeGround(before.parameters, progress);
+  if (seedsVoid_) return true;
+  run_.start = moment.start;
   makeStepper(moment.finished ? 1 : static_cast<std::size_t>(document.parameters.maxIterations),
               moment.start.creases, moment.start.fast);
   const Stopwatch stopwatch;
   if (moment.finished) {
-    stepper_->advance(StepUnit::Converged, 1, progress);
+    run_.stepper->advance(StepUnit::Converged, 1, progress);
   } else if (moment.taken >= mesh_->faceCount()) {
-    stepper_->advance(StepUnit::Flood, 1, progress);
+    run_.stepper->advance(StepUnit::Flood, 1, progress);
   } else if (moment.taken > 0) {
-    stepper_->advance(StepUnit::Face, moment.taken, progress);
+    run_.stepper->advance(StepUnit::Face, moment.taken, progress);
   }
   keepFlood();
-  timing_.segment = stopwatch.milliseconds();
+  run_.timing.segment = stopwatch.milliseconds();
+  return true;
 }
 
 void Pipeline::measure() {
-  if (!stepper_) return;
-  std::shared_ptr<const Segmentation> now = stepper_->state();
-  const bool same = segmentation_ && now->label == segmentation_->label;
-  for (Flat* flat : {&flat_, &shownFlat_}) {
-    if (same && flat->of == segmentation_) flat->of = now;
+  if (!run_.stepper) return;
+  std::shared_ptr<const Segmentation> now = run_.stepper->state();
+  const bool same = run_.segmentation && now->label == run_.segmentation->label;
+  for (FlatStages* flat : {&run_.flat, &run_.shownFlat}) {
+    if (same && flat->of == run_.segmentation) flat->of = now;
   }
-  if (!same) unwrapAsked_ = false;
-  segmentation_ = std::move(now);
-  stats_ = std::make_shared<const ChartStats>(measureCharts(*mesh_, *segmentation_));
+  if (!same) run_.unwrapAsked = false;
+  run_.segmentation = std::move(now);
+  run_.stats = std::make_shared<const ChartStats>(measureCharts(*mesh_, *run_.segmentation));
 }
 
 void Pipeline::report(Results& results) const {
@@ -257,25 +260,29 @@ void Pipeline::report(Results& results) const {
   results.gaussVersion = gaussVersion_;
   results.mesh = mesh_;
   results.gaussArea = gauss_;
-  results.segmentation = segmentation_;
-  results.chartStats = stats_;
-  results.charts = shownFlat_.charts;
-  results.unwrap = shownFlat_.unwrap;
-  results.atlas = shownFlat_.atlas;
+  results.segmentation = run_.segmentation;
+  results.chartStats = run_.stats;
+  results.charts = run_.shownFlat.charts;
+  results.unwrap = run_.shownFlat.unwrap;
+  results.atlas = run_.shownFlat.atlas;
   results.flat = isFlat();
   results.finished = finished();
   results.stale = stale();
-  results.timing = timing_;
+  results.sketch = run_.depth == Depth::Sketch;
+  results.timing = run_.timing;
   results.parameters = document_.parameters;
   results.features = features_;
   results.placed = document_.seeds;
-  results.seedRuns = seedRuns_;
+  results.seedRuns = run_.seedRuns;
   results.chartRuns = chartRuns_;
-  if (stepper_) reportRounds(results);
+  if (!run_.stepper) return;
+  reportRounds(results);
+  results.record = run_.flood;
+  results.start = run_.start;
 }
 
 void Pipeline::reportRounds(Results& results) const {
-  if (!stepper_) {  // one is being made
+  if (!run_.stepper) {  // one is being made
     results.history.clear();
     results.floods.clear();
     results.bestIteration = 0;
@@ -283,13 +290,13 @@ void Pipeline::reportRounds(Results& results) const {
     results.seamRecord.reset();
     return;
   }
-  results.history.assign(stepper_->history().begin(), stepper_->history().end());
-  results.bestIteration = stepper_->bestIteration();
-  results.stopReason = stepper_->stopReason();
-  results.seamRecord = stepper_->seamRecord();
-  results.floods.assign(floods_.records().begin(), floods_.records().end());
+  results.history.assign(run_.stepper->history().begin(), run_.stepper->history().end());
+  results.bestIteration = run_.stepper->bestIteration();
+  results.stopReason = run_.stepper->stopReason();
+  results.seamRecord = run_.stepper->seamRecord();
+  results.floods.assign(run_.floods.records().begin(), run_.floods.records().end());
   results.floods.resize(results.history.size());
-  results.recordIteration = floodRound_;
+  results.recordIteration = run_.floodRound;
 }
 
 }  // namespace chartflood

@@ -14,7 +14,9 @@
 #include "core/model/gauss_area.h"
 #include "core/model/mesh.h"
 #include "core/segment/parts/segmenter.h"
+#include "core/session/pipeline/chart_run.h"
 #include "core/session/pipeline/flood_history.h"
+#include "core/session/pipeline/kept_runs.h"
 #include "core/session/pipeline/results.h"
 #include "core/session/pipeline/run_set.h"
 #include "core/session/settings/parameters.h"
@@ -34,6 +36,8 @@ class Pipeline {
   /// Before the first stepper is made.
   void setFloodLogs(FloodLogs logs) { logs_ = logs; }
   bool hasMesh() const { return mesh_ != nullptr; }
+  /// The newest values.
+  const Document& document() const { return document_; }
   /// Whether seeds and hints of the document lost their meaning since the last call.
   bool takeVoidSeeds() { return std::exchange(seedsVoid_, false); }
   /// Replaces the mesh and computes its Gauss area; charts are gone.
@@ -44,8 +48,16 @@ class Pipeline {
   /// stay as they are.
   bool apply(const Document& document, bool live, Progress& progress);
 
+  /// Takes new values and makes their finished charts: whole ones are those of a batch run with the
+  /// same values, the same bytes; sketches begin from the present seeds. The old charts stay until
+  /// then, and where a call is cancelled. False when the charts are as they were.
+  bool explore(const Document& document, Depth depth, Progress& progress);
+  /// True when these charts are no batch run's: sketches, or of earlier values.
+  bool unsettled() const { return finished() && !standing(); }
+
   /// Takes new values and floods once from the moment's seeds and offsets, as far as it had come.
-  void restore(const Document& document, const FloodMoment& moment, Progress& progress);
+  /// False where they are at hand, measured and all.
+  bool restore(const Document& document, const FloodMoment& moment, Progress& progress);
 
   StepOutcome step(StepUnit unit, std::size_t count, Progress& progress);
   void restartFlood();
@@ -62,7 +74,7 @@ class Pipeline {
   /// when cancelled; the stages that were finished stay. \pre complete()
   bool unwrap(Progress& progress);
   /// True when every face has a chart and the charts are up to date.
-  bool complete() const { return !stale() && segmentation_ && segmentation_->complete; }
+  bool complete() const { return !stale() && run_.segmentation && run_.segmentation->complete; }
   /// True when charts that are or were laid flat, or that a stop rule has finished, await it.
   bool awaitsUnwrap() const;
   /// True when going to the end means to try several generator seeds: where the parameters ask for
@@ -79,20 +91,14 @@ class Pipeline {
   /// The part of report() that tells of the rounds of the run.
   void reportRounds(Results& results) const;
   /// True when charts are shown that later values have made stale.
-  bool stale() const { return segmentation_ != nullptr && stepper_ == nullptr; }
+  bool stale() const {
+    return run_.segmentation != nullptr && (run_.stepper == nullptr || overtaken_);
+  }
 
  private:
-  /// The stages after the labels: what each was made from tells whether it is up to date.
-  struct Flat {
-    std::shared_ptr<const Segmentation> of;  ///< whose charts these are
-    Parameters parameters;                   ///< that they were made with
-    std::shared_ptr<const ChartSet> cut;     ///< before relief cuts
-    std::shared_ptr<const ChartSet> charts;  ///< with them
-    std::shared_ptr<const Unwrap> unwrap;
-    std::shared_ptr<const Atlas> atlas;
-  };
-
-  bool finished() const;
+  bool finished() const { return run_.finished(); }
+  /// True when the present charts are finished, whole and of the present values.
+  bool standing() const { return finished() && !overtaken_ && run_.depth == Depth::Whole; }
   /// K as asked for or as the model's features have it, before parts raise it.
   std::size_t wantedCharts() const { return chartsInForce(document_.parameters, features_); }
   /// True when the stepper holds the charts of the moment already.
@@ -114,8 +120,17 @@ class Pipeline {
                                                 const Worth& worth, Progress& progress) const;
   /// One search for the number of charts; see pipeline_search.cpp.
   class ChartSearch;
-  /// Goes on where another pipeline of the same mesh stands.
-  void takeOver(Pipeline& other);
+  /// A pipeline of the same mesh that begins anew with the present values.
+  std::unique_ptr<Pipeline> sibling(Listener listener) const;
+  /// Brings Gauss area and flood graph up to date with values that came after `before`.
+  void makeGround(const Parameters& before, Progress& progress);
+  /// A finished run becomes the present one.
+  void takeOver(ChartRun run);
+  /// Takes the finished charts out of the way, for coming back to them. What they leave to look at
+  /// and to go on from stays.
+  void setAside();
+  /// The seeds that a sketch of the present values begins with; none: their own.
+  std::vector<Index> seedsAtHand() const;
   /// Forgets the flat stages that do not belong to the present labels and parameters.
   void dropStaleFlat();
   void tellNotFlat() const;
@@ -150,29 +165,16 @@ class Pipeline {
   void tellOutcome();
 
   Listener listener_;
-  /// What the stepper tells of floods; it goes where the stepper goes.
-  std::shared_ptr<std::function<void(const FloodBegun&)>> onFlood_;
   Document document_;
   std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const GaussArea> gauss_;
   std::shared_ptr<const FloodGraph> graph_;
-  std::unique_ptr<Stepper> stepper_;
-  std::shared_ptr<const Segmentation> segmentation_;  ///< last one measured
-  std::shared_ptr<const ChartStats> stats_;           ///< of segmentation_
-  FloodStart start_;           ///< of the last flood, to go on from; without seeds: place anew
-  Flat flat_;                  ///< what is being made; parts are null from the first stale one on
-  Flat shownFlat_;             ///< the last complete one
-  bool unwrapAsked_ = false;   ///< of the present charts
-  bool locksChanged_ = false;  ///< since the stepper was made
-  std::shared_ptr<const RunSet> seedRuns_;    ///< of the present charts
-  std::shared_ptr<const RunSet> chartRuns_;   ///< of the mesh
-  std::unique_ptr<Pipeline> found_;           ///< the chosen one of these, until something changes
-  std::shared_ptr<const FloodRecord> flood_;  ///< log of the last flood
-  std::size_t floodRound_ = 0;                ///< that it was begun as
-  std::size_t roundsSeen_ = 0;                ///< rounds of the stepper's history at the last look
+  ChartRun run_;
+  Depth depth_ = Depth::Whole;               ///< of steppers that are made now
+  bool overtaken_ = false;                   ///< values have come whose charts were not made yet
+  KeptRuns kept_;                            ///< other runs on the mesh
+  std::shared_ptr<const RunSet> chartRuns_;  ///< of the mesh
   FloodLogs logs_ = FloodLogs::EveryRound;
-  FloodHistory floods_;
-  Timing timing_;
   bool seedsVoid_ = false;      ///< the mesh was built anew with other faces
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   bool toldLiteral_ = false;    ///< the user was told that the mesh is too small to search fast

@@ -22,8 +22,8 @@ void Pipeline::tellChartCount() {
   const std::size_t locked = lockedFaces(document_.seeds).size();
   // Methods that come to their charts one by one begin with fewer seeds.
   const std::size_t seeds = segmenterOf(document_.parameters.method).beginsWithAllSeeds
-                                ? start_.seeds.size()
-                                : std::max(locked, start_.seeds.size());
+                                ? run_.start.seeds.size()
+                                : std::max(locked, run_.start.seeds.size());
   const std::size_t count = effectiveChartCount(*mesh_, wanted, seeds);
   const bool byFeatures = wanted < static_cast<std::size_t>(document_.parameters.charts);
   if ((count == wanted && !byFeatures) || count == toldCharts_) return;
@@ -44,7 +44,7 @@ void Pipeline::tellChartCount() {
 
 void Pipeline::tellMargin() const {
   const Parameters& p = document_.parameters;
-  const Atlas& atlas = *flat_.atlas;
+  const Atlas& atlas = *run_.flat.atlas;
   if (atlas.margin >= p.margin) return;
   const auto placed = [](const Placement& placement) { return placement.placed(); };
   const auto charts = static_cast<std::size_t>(
@@ -76,11 +76,11 @@ void Pipeline::tellTooSmall() {
 }
 
 void Pipeline::tellOutcome() {
-  if (start_.creases) return tell(Notice::Kind::Info, "Charts begin from the model's creases.");
-  const auto rounds = std::to_string(stepper_->history().size());
-  const auto kept =
-      "round " + std::to_string(stepper_->state()->iteration + 1) + " of " + rounds + " is kept.";
-  switch (stepper_->stopReason()) {
+  if (run_.start.creases) return tell(Notice::Kind::Info, "Charts begin from the model's creases.");
+  const auto rounds = std::to_string(run_.stepper->history().size());
+  const auto kept = "round " + std::to_string(run_.stepper->state()->iteration + 1) + " of " +
+                    rounds + " is kept.";
+  switch (run_.stepper->stopReason()) {
   case StopReason::Converged:
     return tell(Notice::Kind::Info, "Stopped: all seeds rest; " + kept);
   case StopReason::Cycle:
@@ -91,7 +91,7 @@ void Pipeline::tellOutcome() {
     if (!segmenterOf(document_.parameters.method).balances) {
       return tell(Notice::Kind::Info, "Stopped: more rounds bring no better fit; " + kept);
     }
-    if (start_.fast) {
+    if (run_.start.fast) {
       return tell(Notice::Kind::Info,
                   "Stopped: more floods around the seams bring no better balance; " + kept);
     }

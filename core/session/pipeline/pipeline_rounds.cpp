@@ -34,15 +34,20 @@ RefineOptions refineOptions(const Parameters& p) {
   return options;
 }
 
+/// Rounds of a sketch: it begins near where it ends, and meshes that take long go fewer.
+std::size_t sketchRounds(const Mesh& mesh) {
+  constexpr std::size_t kMost = 8, kLeast = 3, kFaces = 800000;
+  return std::clamp(kFaces / std::max<std::size_t>(1, mesh.faceCount()), kLeast, kMost);
+}
+
 }  // namespace
 
-bool Pipeline::finished() const { return stepper_ != nullptr && stepper_->finished(); }
-
 void Pipeline::takeLocks(Progress& progress) {
-  const std::size_t taken = stepper_->record() ? stepper_->record()->size() : mesh_->faceCount();
+  const std::size_t taken =
+      run_.stepper->record() ? run_.stepper->record()->size() : mesh_->faceCount();
   makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations), wantsCreases(),
-              start_.fast);
-  if (taken > 0) stepper_->advance(StepUnit::Face, taken, progress);
+              run_.start.fast);
+  if (taken > 0) run_.stepper->advance(StepUnit::Face, taken, progress);
   keepFlood();
 }
 
@@ -56,8 +61,9 @@ std::optional<std::uint32_t> Pipeline::wantsCreases() const {
 
 std::optional<FastFlood> Pipeline::wantsFast() const {
   const Parameters& p = document_.parameters;
-  const bool wanted =
-      p.search == "fast" || (p.search == "auto" && mesh_->faceCount() > kMostLiteralFaces);
+  const bool sketched = depth_ == Depth::Sketch && p.search != "literal";
+  const bool wanted = sketched || p.search == "fast" ||
+                      (p.search == "auto" && mesh_->faceCount() > kMostLiteralFaces);
   const bool fits = segmenterOf(p.method).knowsFast && wanted && !wantsCreases();
   return fits ? std::optional(FastFlood{}) : std::nullopt;
 }
@@ -68,112 +74,121 @@ void Pipeline::makeStepper(std::size_t maxIterations) {
 
 void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_t> creases,
                            const std::optional<FastFlood>& fast) {
+  setAside();
+  run_.document = document_;
+  run_.depth = depth_;
+  run_.gauss = gauss_;
+  run_.graph = graph_;
+  run_.gaussVersion = gaussVersion_;
+  run_.flood.reset();
+  run_.floods.clear();
+  run_.roundsSeen = 0;
+  run_.seedRuns.reset();
+  overtaken_ = false;
   const Parameters& p = document_.parameters;
   SegmentOptions options;
   options.charts = wantedCharts();
-  options.seeds = start_.seeds.empty() ? seedFaces(document_.seeds) : start_.seeds;
+  options.seeds = run_.start.seeds.empty() ? seedFaces(document_.seeds) : run_.start.seeds;
   options.locked = lockedFaces(document_.seeds);
-  locksChanged_ = false;
-  options.offsets = start_.offsets;
-  options.normals = start_.normals;
+  run_.locksChanged = false;
+  options.offsets = run_.start.offsets;
+  options.normals = run_.start.normals;
   options.rngSeed = creases.value_or(static_cast<std::uint32_t>(p.rngSeed));
   options.creasesFirst = p.start == "creases";
   if (fast) {
     options.search = SearchKind::Fast;
     options.fast = *fast;
-    if (!searchesFast(*mesh_, options)) tellTooSmall();
+    if (depth_ == Depth::Whole && !searchesFast(*mesh_, options)) tellTooSmall();
   }
   options.useOffsets = p.offsets;
   options.offsetDamping = p.offsetDamping;
   options.lookahead = p.lookahead;
-  options.maxIterations = maxIterations;
+  const bool sketch = depth_ == Depth::Sketch;
+  options.maxIterations = sketch ? std::min(maxIterations, sketchRounds(*mesh_)) : maxIterations;
   options.patience = static_cast<std::size_t>(p.patience);
   options.detectCycles = p.detectCycles;
   options.settle = static_cast<std::size_t>(p.settle);
   options.keepLast = p.keep == "last";
   options.record = logs_ != FloodLogs::None;
   options.refine = refineOptions(p);
+  options.refine.sketch = sketch;
   options.refine.sideFactor = hintFactors(*mesh_, document_.hints);
   options.vsa = {vsaSeeding(p.vsaSeeding), p.vsaTeleport};
   options.mcgim = {p.mcgimLambda, p.mcgimNormals == "running", p.mcgimDisks};
-  seedRuns_.reset();
-  onFlood_ = std::make_shared<std::function<void(const FloodBegun&)>>(
+  run_.onFlood = std::make_shared<std::function<void(const FloodBegun&)>>(
       [this](const FloodBegun& begun) { noteFlood(begun); });
-  options.onFlood = [told = onFlood_](const FloodBegun& begun) { (*told)(begun); };
-  stepper_.reset();
-  flood_.reset();
-  floods_.clear();
-  roundsSeen_ = 0;
+  options.onFlood = [told = run_.onFlood](const FloodBegun& begun) { (*told)(begun); };
   const SegmentInputs inputs{mesh_, gauss_, graph_};
-  start_.creases = creases;
-  stepper_ =
+  run_.start.creases = creases;
+  run_.stepper =
       creases ? makeCreaseStart(inputs, options) : segmenterOf(p.method).make(inputs, options);
-  timing_.segment = 0;
+  run_.timing.segment = 0;
   tellChartCount();
 }
 
 void Pipeline::keepFlood() {
-  if (!stepper_ || !flood_) return;
-  const std::size_t rounds = stepper_->history().size();
+  if (!run_.stepper || !run_.flood) return;
+  const std::size_t rounds = run_.stepper->history().size();
   // A flood that was begun again ends as a new round.
-  const std::size_t round = rounds > roundsSeen_ ? rounds - 1 : floodRound_;
-  roundsSeen_ = rounds;
-  if (round >= rounds || flood_->size() < flood_->capacity()) return;
-  floodRound_ = round;
-  if (logs_ == FloodLogs::EveryRound) floods_.keep(round, flood_, stepper_->bestIteration());
+  const std::size_t round = rounds > run_.roundsSeen ? rounds - 1 : run_.floodRound;
+  run_.roundsSeen = rounds;
+  if (round >= rounds || run_.flood->size() < run_.flood->capacity()) return;
+  run_.floodRound = round;
+  if (logs_ == FloodLogs::EveryRound)
+    run_.floods.keep(round, run_.flood, run_.stepper->bestIteration());
 }
 
 void Pipeline::noteFlood(const FloodBegun& begun) {
   keepFlood();
-  flood_ = begun.record;
-  floodRound_ = begun.iteration;
-  start_ = begun.start;
+  run_.flood = begun.record;
+  run_.floodRound = begun.iteration;
+  run_.start = begun.start;
   listener_.onFlood(begun);
 }
 
 StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress) {
   const Stopwatch stopwatch;
-  found_.reset();
   // Who steps on from finished charts wants more rounds: these begin from the best one's seeds.
-  if (!stepper_ || finished()) {
+  if (!run_.stepper || finished() || overtaken_) {
+    if (unsettled()) run_.start = {};  // those are of other values
     progress.beginPhase("Placing seeds");
     const auto creases = wantsCreases();
     if (progress.cancelled()) return StepOutcome::Cancelled;
     makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations), creases, wantsFast());
-  } else if (locksChanged_) {
+  } else if (run_.locksChanged) {
     takeLocks(progress);
   }
-  const StepOutcome outcome = stepper_->advance(unit, count, progress);
+  const StepOutcome outcome = run_.stepper->advance(unit, count, progress);
   keepFlood();
-  timing_.segment += stopwatch.milliseconds();
+  run_.timing.segment += stopwatch.milliseconds();
   if (outcome == StepOutcome::Finished) tellOutcome();
   return outcome;
 }
 
 void Pipeline::restartFlood() {
-  if (stepper_) stepper_->restartFlood();
+  if (run_.stepper) run_.stepper->restartFlood();
 }
 
 void Pipeline::resetSeeds() {
-  start_.seeds.clear();
-  start_.offsets.clear();
-  start_.normals.clear();
-  if (stepper_) makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
+  run_.start.seeds.clear();
+  run_.start.offsets.clear();
+  run_.start.normals.clear();
+  if (run_.stepper) makeStepper(static_cast<std::size_t>(document_.parameters.maxIterations));
 }
 
 StepOutcome Pipeline::adopt(std::size_t iteration, Progress& progress) {
-  if (!stepper_ || iteration >= stepper_->history().size()) return StepOutcome::Advanced;
-  const StepOutcome outcome = stepper_->adopt(iteration, progress);
+  if (!run_.stepper || iteration >= run_.stepper->history().size()) return StepOutcome::Advanced;
+  const StepOutcome outcome = run_.stepper->adopt(iteration, progress);
   keepFlood();
   return outcome;
 }
 
 void Pipeline::recall(std::size_t iteration, Progress& progress) {
-  if (!stepper_ || iteration >= stepper_->history().size()) return;
-  const auto kept = floods_.records();
+  if (!run_.stepper || iteration >= run_.stepper->history().size()) return;
+  const auto kept = run_.floods.records();
   std::shared_ptr<const FloodRecord> record = iteration < kept.size() ? kept[iteration] : nullptr;
-  if (!record) record = stepper_->replay(iteration, progress);
-  if (record) floods_.recall(iteration, std::move(record));
+  if (!record) record = run_.stepper->replay(iteration, progress);
+  if (record) run_.floods.recall(iteration, std::move(record));
 }
 
 }  // namespace chartflood

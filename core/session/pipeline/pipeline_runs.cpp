@@ -37,19 +37,24 @@ void measureStretch(const Unwrap& unwrap, const ChartStats& stats, Run& run) {
 
 }  // namespace
 
+std::unique_ptr<Pipeline> Pipeline::sibling(Listener listener) const {
+  auto other = std::make_unique<Pipeline>(std::move(listener));
+  other->document_ = document_;
+  other->logs_ = logs_;
+  other->mesh_ = mesh_;
+  other->gauss_ = gauss_;
+  other->graph_ = graph_;
+  other->features_ = features_;
+  other->meshVersion_ = meshVersion_;
+  other->gaussVersion_ = gaussVersion_;
+  other->run_.timing = {run_.timing.read, run_.timing.gaussArea, run_.timing.floodGraph};
+  return other;
+}
+
 std::unique_ptr<Pipeline> Pipeline::runApart(const Parameters& parameters, const Worth& worth,
                                              Progress& progress) const {
-  auto apart = std::make_unique<Pipeline>(Listener{[](const FloodBegun&) {}, [](const Notice&) {}});
-  apart->document_ = document_;
+  auto apart = sibling({[](const FloodBegun&) {}, [](const Notice&) {}});
   apart->document_.parameters = parameters;
-  apart->logs_ = logs_;
-  apart->mesh_ = mesh_;
-  apart->gauss_ = gauss_;
-  apart->graph_ = graph_;
-  apart->features_ = features_;
-  apart->meshVersion_ = meshVersion_;
-  apart->gaussVersion_ = gaussVersion_;
-  apart->timing_ = {timing_.read, timing_.gaussArea, timing_.floodGraph};
   if (apart->step(StepUnit::Converged, 1, progress) == StepOutcome::Cancelled) return nullptr;
   apart->measure();
   if (worth) {
@@ -75,12 +80,12 @@ Pipeline::runAll(std::span<const Parameters> each, const Worth& worth, Progress&
 Run Pipeline::asRun(bool withResults) const {
   Run run;
   run.parameters = document_.parameters;
-  run.charts = segmentation_->chartCount;
-  if (stats_->balanceDefined) run.spread = stats_->stdOverMean();
-  run.creases = creaseShare(*mesh_, *gauss_, segmentation_->label);
-  const double unit = stats_->surfaceArea > 0 ? 1 / std::sqrt(stats_->surfaceArea) : 0;
-  run.seams = stats_->seamLength * unit;
-  const ChartSet* charts = flat_.unwrap ? flat_.charts.get() : flat_.cut.get();
+  run.charts = run_.segmentation->chartCount;
+  if (run_.stats->balanceDefined) run.spread = run_.stats->stdOverMean();
+  run.creases = creaseShare(*mesh_, *gauss_, run_.segmentation->label);
+  const double unit = run_.stats->surfaceArea > 0 ? 1 / std::sqrt(run_.stats->surfaceArea) : 0;
+  run.seams = run_.stats->seamLength * unit;
+  const ChartSet* charts = run_.flat.unwrap ? run_.flat.charts.get() : run_.flat.cut.get();
   for (std::size_t c = 0; charts && c < charts->charts.size(); ++c) {
     for (const Cut& cut : charts->charts[c].cuts) {
       const double length = cut.length * mesh_->scale() * unit;
@@ -88,29 +93,43 @@ Run Pipeline::asRun(bool withResults) const {
       if (cut.reason == CutReason::Relief) run.relief += length;
     }
   }
-  if (flat_.unwrap) measureStretch(*flat_.unwrap, *stats_, run);
-  run.moment = {start_, mesh_->faceCount(), true};
+  if (run_.flat.unwrap) measureStretch(*run_.flat.unwrap, *run_.stats, run);
+  run.moment = {run_.start, mesh_->faceCount(), true};
   if (!withResults) return run;
   auto results = std::make_shared<Results>();
   report(*results);
-  results->record = stepper_->record();
-  results->recordIteration = stepper_->bestIteration();
-  results->start = start_;
+  results->record = run_.stepper->record();
+  results->recordIteration = run_.stepper->bestIteration();
+  results->start = run_.start;
   run.results = std::move(results);
   return run;
 }
 
-void Pipeline::takeOver(Pipeline& other) {
-  stepper_ = std::move(other.stepper_);
-  onFlood_ = std::move(other.onFlood_);
-  *onFlood_ = [this](const FloodBegun& begun) { noteFlood(begun); };
-  segmentation_ = std::move(other.segmentation_);
-  stats_ = std::move(other.stats_);
-  flat_ = std::move(other.flat_);
-  flat_.parameters = document_.parameters;
-  timing_ = other.timing_;
-  locksChanged_ = false;
-  noteFlood({stepper_->record(), stepper_->bestIteration(), std::move(other.start_)});
+void Pipeline::takeOver(ChartRun run) {
+  setAside();
+  const double read = run_.timing.read;
+  run_ = std::move(run);
+  run_.timing.read = read;
+  run_.flat.parameters.rngSeed = document_.parameters.rngSeed;  // of several that were tried
+  overtaken_ = false;
+  gauss_ = run_.gauss;
+  graph_ = run_.graph;
+  gaussVersion_ = run_.gaussVersion;
+  *run_.onFlood = [this](const FloodBegun& begun) { noteFlood(begun); };
+}
+
+void Pipeline::setAside() {
+  ChartRun left;
+  left.document = run_.document;
+  left.depth = run_.depth;
+  left.start = run_.start;
+  left.segmentation = run_.segmentation;
+  left.stats = run_.stats;
+  left.flat = run_.flat;
+  left.shownFlat = run_.shownFlat;
+  left.unwrapAsked = run_.unwrapAsked;
+  left.timing = run_.timing;
+  kept_.keep(std::exchange(run_, std::move(left)));
 }
 
 bool Pipeline::triesSeeds() const {
@@ -131,11 +150,12 @@ StepOutcome Pipeline::stepWithSeeds(Progress& progress) {
   auto set = std::make_shared<RunSet>();
   for (const auto& pipeline : pipelines) set->runs.push_back(pipeline->asRun(true));
   set->chosen = shortestBalanced(set->runs);
-  takeOver(*pipelines[set->chosen]);
+  takeOver(std::move(pipelines[set->chosen]->run_));
+  run_.document = document_;
   tell(Notice::Kind::Info, "Of " + std::to_string(each.size()) + " random seeds, " +
                                std::to_string(each[set->chosen].rngSeed) +
                                " gives the shortest seams among even charts.");
-  seedRuns_ = std::move(set);
+  run_.seedRuns = std::move(set);
   return StepOutcome::Finished;
 }
 

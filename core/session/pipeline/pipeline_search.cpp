@@ -182,7 +182,6 @@ class Pipeline::ChartSearch {
 };
 
 bool Pipeline::findChartCount(Progress& progress) {
-  found_.reset();
   ChartSearch search(*this, progress);
   if (!search.run()) return false;
   if (!search.fits()) {
@@ -190,7 +189,7 @@ bool Pipeline::findChartCount(Progress& progress) {
          "No number of charts that was tried stretches as little as asked in every chart; " +
              std::to_string(search.chosen().charts) + " stretch least.");
   }
-  found_ = search.best();
+  if (auto best = search.best()) kept_.keep(std::move(best->run_));
   chartRuns_ = search.runs();
   return true;
 }

@@ -64,6 +64,7 @@ struct Results {
   std::shared_ptr<const RunSet> seedRuns;   ///< seeds tried for these charts; null: one
   std::shared_ptr<const RunSet> chartRuns;  ///< the last search for the number of charts
   bool stale = false;
+  bool sketch = false;  ///< charts made in a hurry while a value is dragged: no batch run's
   Timing timing;
   Parameters parameters;                                ///< that the results were made with
   std::size_t features = static_cast<std::size_t>(-1);  ///< of the mesh, see featureCount()
@@ -71,7 +72,8 @@ struct Results {
   std::string checksum;            ///< of the mesh's file, see fileChecksum(); "" for others
 };
 
-/// Where the charts that are shown came from; without seeds when they are stale or there are none.
+/// Where the charts that are shown came from; without seeds when they are stale or a sketch, or
+/// there are none.
 FloodMoment momentOf(const Results& results);
 
 /// A sentence for the user, in the order of events.

@@ -145,7 +145,7 @@ std::vector<ParameterInfo> balanceRows() {
        .hardMax = 1,
        .scale = SliderScale::LogZero,
        .format = "%.5g",
-       .stage = Stage::Flood,
+       .stage = Stage::Graph,
        .group = "Balance",
        .help = "Lets plain surface count a little too, so that flat parts are shared fairly.",
        .source = "",

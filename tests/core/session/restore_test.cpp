@@ -15,7 +15,7 @@ class Restore : public testing::TestWithParam<std::tuple<Session::Worker, const 
   void SetUp() override {
     Document document;
     document.parameters.search = std::get<1>(GetParam());
-    session_.setDocument(document, false);
+    session_.setDocument(document, Session::Answer::Nothing);
     session_.openSample("bumps", 8000);
     session_.waitIdle();
   }
@@ -173,7 +173,7 @@ TEST_P(Restore, StaleChartsHaveNoMoment) {
   step(StepUnit::Flood);
   Document document = session_.document();
   document.parameters.charts = 9;
-  session_.setDocument(document, false);
+  session_.setDocument(document, Session::Answer::Nothing);
   session_.waitIdle();
   EXPECT_TRUE(momentOf(*session_.results()).start.seeds.empty());
 }

@@ -18,7 +18,7 @@ class Runs : public testing::Test {
  protected:
   ~Runs() override { setThreadCount(0); }
   void open(const std::string& sample, std::size_t triangles, Document document = {}) {
-    session_.setDocument(document, false);
+    session_.setDocument(document, Session::Answer::Nothing);
     session_.openSample(sample, triangles);
   }
   static Document withSeeds(int bestOf) {
@@ -47,7 +47,7 @@ TEST_F(Runs, TheBestSeedIsWhatItGivesAlone) {
   Document alone = withSeeds(1);
   alone.parameters.rngSeed = chosen.parameters.rngSeed;
   Session other(Session::Worker::Inline);
-  other.setDocument(alone, false);
+  other.setDocument(alone, Session::Answer::Nothing);
   other.openSample("bumps", 2000);
   other.step(StepUnit::Converged);
   EXPECT_EQ(other.results()->segmentation->label, best->segmentation->label);
@@ -61,7 +61,7 @@ TEST_F(Runs, TheBestSeedIsTheSameForAnyNumberOfThreadsAndComesBack) {
   const auto one = session_.results();
   setThreadCount(4);
   Session other(Session::Worker::Inline);
-  other.setDocument(withSeeds(3), false);
+  other.setDocument(withSeeds(3), Session::Answer::Nothing);
   other.openSample("gear", 2000);
   other.step(StepUnit::Converged);
   EXPECT_EQ(other.results()->segmentation->label, one->segmentation->label);
@@ -118,7 +118,7 @@ TEST_F(Runs, TheShortestSeamsKeepTheLimitInEveryChart) {
     session_.restore(document, chosen.moment);
     const auto found = session_.results();
     Session other(Session::Worker::Inline);
-    other.setDocument(document, false);
+    other.setDocument(document, Session::Answer::Nothing);
     other.openSample(sample, 1500);
     other.step(StepUnit::Converged);
     other.unwrap();

@@ -188,9 +188,9 @@ TEST_F(PlacedSeeds, TheEndOfADragThatDidNotFloodFloods) {
   after(StepUnit::Flood);
   Document document = session_.document();
   document.parameters.speedPower = 3;
-  session_.setDocument(document, false);
+  session_.setDocument(document, Session::Answer::Nothing);
   EXPECT_TRUE(session_.results()->stale);
-  session_.setDocument(document, true);
+  session_.setDocument(document, Session::Answer::Flood);
   EXPECT_FALSE(session_.results()->stale);
 }
 

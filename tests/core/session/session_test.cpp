@@ -32,7 +32,7 @@ class SessionWith : public testing::TestWithParam<Session::Worker> {
   void set(void (*change)(Document&), bool live = true) {
     Document document = session_.document();
     change(document);
-    session_.setDocument(document, live);
+    session_.setDocument(document, live ? Session::Answer::Flood : Session::Answer::Nothing);
     session_.waitIdle();
   }
   bool anyError() {
@@ -214,7 +214,7 @@ TEST_P(SessionWith, GoesOnFromFinishedCharts) {
   for (const char* refine : {"cuts", "moves", "none"}) {
     Document document = session_.document();
     document.parameters.refine = refine;
-    session_.setDocument(document, false);
+    session_.setDocument(document, Session::Answer::Nothing);
     const auto run = after(StepUnit::Converged);
     const auto on = after(StepUnit::Flood, 2);
     EXPECT_EQ(on->history.size(), 2u) << refine;
