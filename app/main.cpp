@@ -25,9 +25,7 @@ int openWindow(const chartflood::Invocation& call) {
   options.file = call.file;
   options.sample = call.sample;
   options.triangles = call.triangles;
-  options.theme = call.theme;
-  options.navigation = call.navigation;
-  options.uiScale = call.uiScale;
+  options.preferences = call.preferences;
   options.render = call.picture.settings;
   if (call.picture.camera.upIsZ) options.up = chartflood::UpAxis::Z;
   options.orthographic = call.picture.camera.orthographic;

@@ -1,5 +1,6 @@
 #include "app/cli/option_table.h"
 
+#include "app/host/settings/preferences.h"
 #include "core/session/settings/parameters.h"
 #include "render/scene/render_settings.h"
 
@@ -52,6 +53,18 @@ void addParameters(std::vector<OptionInfo>& table) {
                    "Stop the first flood after N faces were taken: the rest stays free."});
   table.push_back({"iterations", "N", "Segmentation",
                    "Stop after N rounds of flooding; borders stay as flooded."});
+}
+
+/// Rows of settings that are options.
+template <typename Owner>
+void addSettings(std::vector<OptionInfo>& table, const SettingTable<Owner>& rows,
+                 const std::string& group) {
+  const Owner defaults{};
+  for (const Setting<Owner>& row : rows) {
+    if (!row.option) continue;
+    table.push_back({row.id, formText(row.value.domain), group,
+                     std::string(row.help) + " Default: " + row.text(defaults) + row.note + "."});
+  }
 }
 
 void addFiles(std::vector<OptionInfo>& table) {
@@ -139,9 +152,7 @@ void addGeneral(std::vector<OptionInfo>& table) {
   const auto add = [&](const char* name, const char* value, const char* help) {
     table.push_back({name, value, "General", help});
   };
-  add("theme", "dark|light|high-contrast", "Colours of the window, this time. Default: as last.");
-  add("ui-scale", "N", "Size of text and controls, 0.75 to 2.5, this time.");
-  add("navigation", "simple|blender|maya", "What the mouse buttons do, this time.");
+  addSettings(table, preferenceTable(), "General");
   add("sample", "NAME", "Use a model that the program makes; --list-samples names them.");
   add("triangles", "N", "About how many triangles the sample gets.");
   add("threads", "N", "Threads to work with; 0: one a core. Never changes a result. Default: 0.");

@@ -333,18 +333,21 @@ void readGeneral(const Tokens& tokens, Invocation& call) {
   }
 }
 
+/// Gives a row of settings the option's value. \throws UsageError
+template <typename Owner>
+void readSetting(const Tokens& tokens, const Setting<Owner>& row, Owner& owner) {
+  const std::string text = tokens.text(row.id), reason = row.setText(owner, text);
+  if (!reason.empty()) {
+    throw UsageError("--" + refusalText(row.id, text, reason, row.value.domain));
+  }
+}
+
 void readWindow(const Tokens& tokens, Invocation& call) {
-  if (tokens.has("theme")) {
-    std::vector<std::string> names;
-    for (const ThemeInfo& theme : themeTable()) names.emplace_back(theme.id);
-    call.theme = readChoice("theme", tokens.text("theme"), names);
-  }
-  if (tokens.has("navigation")) {
-    const std::vector<std::string> styles{"simple", "blender", "maya"};
-    call.navigation = readChoice("navigation", tokens.text("navigation"), styles);
-  }
-  if (tokens.has("ui-scale")) {
-    call.uiScale = readWithin(tokens, "ui-scale", 0.75, 2.5, "from 0.75 to 2.5");
+  Preferences checked;
+  for (const Setting<Preferences>& row : preferenceTable()) {
+    if (!row.option || !tokens.has(row.id)) continue;
+    readSetting(tokens, row, checked);
+    call.preferences.emplace_back(row.id, tokens.text(row.id));
   }
 }
 

@@ -83,8 +83,8 @@ struct Invocation {
   std::string report;                  ///< file name, "-" for standard output, "": none
   PictureOptions picture;
 
-  std::string theme, navigation;  ///< of the window; "": as the preferences say
-  double uiScale = 0;             ///< the same; 0: as they say
+  /// Names and values of preferences that hold this time.
+  std::vector<std::pair<std::string, std::string>> preferences;
 
   LogLevel verbose = LogLevel::Warning;
   unsigned threads = 0;  ///< 0: one a core

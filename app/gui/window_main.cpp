@@ -31,20 +31,20 @@ class PreferredByOptions {
  public:
   PreferredByOptions(Preferences& preferences, const WindowOptions& options)
       : before_(preferences) {
-    if (const ThemeInfo* theme = findTheme(options.theme)) preferences.theme = theme->kind;
-    if (!options.navigation.empty()) {
-      preferences.navigation = navigationStyleFromId(options.navigation);
+    for (const auto& [name, text] : options.preferences) {
+      rows_.push_back(findSetting(preferenceTable(), name));
+      rows_.back()->setText(preferences, text);
     }
-    if (options.uiScale > 0) preferences.uiScale = options.uiScale;
     given_ = preferences;
   }
   void takeBack(Preferences& preferences) const {
-    if (preferences.theme == given_.theme) preferences.theme = before_.theme;
-    if (preferences.navigation == given_.navigation) preferences.navigation = before_.navigation;
-    if (preferences.uiScale == given_.uiScale) preferences.uiScale = before_.uiScale;
+    for (const Setting<Preferences>* row : rows_) {
+      if (row->get(preferences) == row->get(given_)) row->set(preferences, row->get(before_));
+    }
   }
 
  private:
+  std::vector<const Setting<Preferences>*> rows_;
   Preferences before_, given_;
 };
 

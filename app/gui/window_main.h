@@ -23,8 +23,8 @@ struct WindowOptions {
   std::size_t triangles = 0;           ///< of the sample; 0: its own number
   std::optional<SessionFile> session;  ///< to go on with; `parameters` and `render` win over it
   std::filesystem::path sessionFile;   ///< where it was read from
-  std::string theme, navigation;       ///< instead of the preferences', this time; "": theirs
-  double uiScale = 0;                  ///< the same; 0: theirs
+  /// Names and values of preferences that hold this time.
+  std::vector<std::pair<std::string, std::string>> preferences;
   RenderSettings render;
   UpAxis up = UpAxis::Y;
   bool orthographic = false;

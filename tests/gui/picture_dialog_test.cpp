@@ -45,8 +45,8 @@ TEST(PictureSettings, EveryTextReadsBack) {
   settings = {"both", "own", 300,  200,   false, 4,   "white",
               false,  false, true, false, 9,     "a", "/b c"};
   again.lockRatio = false;
-  for (const std::string& key : pictureKeys()) {
-    setPictureValue(again, key, pictureValue(settings, key));
+  for (const auto& row : pictureSettingTable()) {
+    setPictureValue(again, row.id, pictureValue(settings, row.id));
   }
   EXPECT_EQ(again, settings);
 }
@@ -69,12 +69,12 @@ TEST(PictureDialog, SetsWhatF12Takes) {
   window.openFlooded("sphere", 200);
   window.key("Shift+F12");
   window.frames(3);
-  window.click("picture-set ground white");
-  window.click("picture-set smooth 4");
-  window.click("picture/seeds");
+  window.click("picture-set background white");
+  window.click("picture-set supersampling 4");
+  window.click("picture/seed-marks");
   window.key("Shift+F12");
   window.frames(2);
-  EXPECT_FALSE(window.has("picture/seeds"));
+  EXPECT_FALSE(window.has("picture/seed-marks"));
   window.key("F12");
   ASSERT_EQ(window.state().requests.pictures.size(), 1u);
   const PictureSettings& wanted = window.state().requests.pictures[0].settings;
@@ -92,7 +92,7 @@ TEST(PictureDialog, NothingIsCutOff) {
     window.state().preferences.picture.size = "own";
     window.frames(4);
     for (const char* label : {"picture-set view ab", "picture/lock-ratio", "picture/numbers",
-                              "picture-set view window", "picture-set ground transparent",
+                              "picture-set view window", "picture-set background transparent",
                               "picture/folder", "picture/preview", "copy-command", "screenshot"}) {
       EXPECT_TRUE(window.item(label).whole()) << label << " at " << size.x;
     }
@@ -153,8 +153,8 @@ TEST_F(PicturePreviewBox, OfTheWindowHasItsShape) {
   EXPECT_EQ(previews.asked.back().width, 1280);
   EXPECT_EQ(previews.asked.back().height, 800);
   // Nothing else can be chosen of it.
-  window.click("picture-set ground white");
-  window.click("picture/seeds");
+  window.click("picture-set background white");
+  window.click("picture/seed-marks");
   EXPECT_EQ(window.state().preferences.picture.ground, "theme");
   EXPECT_TRUE(window.state().preferences.picture.seeds);
   EXPECT_TRUE(window.state().perform(window.actions(), "screenshot"));

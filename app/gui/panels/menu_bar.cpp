@@ -152,18 +152,14 @@ void viewMenu(const Ui& ui) {
   }
   actionMenuItem(ui, "orthographic");
   if (ImGui::BeginMenu("Mouse like")) {
-    actionMenuItem(ui, "navigation simple", "Simple: left turns, middle moves, wheel zooms");
-    actionMenuItem(ui, "navigation blender", "Blender: middle turns, Shift+middle moves");
-    actionMenuItem(ui, "navigation maya", "Maya: Alt+left turns, Alt+middle moves");
+    choiceMenuItems(ui, "navigation");
     ImGui::Separator();
     actionMenuItem(ui, "trackball");
     ImGui::EndMenu();
   }
   ImGui::Separator();
   if (ImGui::BeginMenu("Theme")) {
-    for (const ThemeInfo& theme : themeTable()) {
-      actionMenuItem(ui, std::string("theme ") + theme.id, theme.label);
-    }
+    choiceMenuItems(ui, "theme");
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Simulate colour blindness")) {
@@ -193,10 +189,7 @@ void viewMenu(const Ui& ui) {
 /// How far "Step many" goes.
 void stepSizeMenu(const Ui& ui) {
   if (!beginMenu(ui, "Step many takes")) return;
-  actionMenuItem(ui, "many 10", "10 triangles");
-  actionMenuItem(ui, "many 100", "100 triangles");
-  actionMenuItem(ui, "many hundredth", "1 % of all");
-  actionMenuItem(ui, "many charts", "One for each chart");
+  choiceMenuItems(ui, "many");
   ImGui::EndMenu();
 }
 

@@ -12,20 +12,20 @@ namespace chartflood {
 namespace {
 
 void liveRow(const Ui& ui) {
-  const LiveMode mode = ui.state.preferences.live;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Live");
   ImGui::SameLine(ui.px(78));
   const float gap = ui.px(2);
   const float side = ImGui::GetFrameHeight() + ui.px(4);
   const float width = (ImGui::GetContentRegionAvail().x - side - 2 * gap) / 3;
-  for (LiveMode each : {LiveMode::Auto, LiveMode::On, LiveMode::Off}) {
-    const std::string id = liveModeId(each);
-    if (each != LiveMode::Auto) ImGui::SameLine(0, gap);
-    const bool chosen = mode == each;
+  bool first = true;
+  for (const std::string& each : ui.actions.find("live")->arguments.front().choices) {
+    if (!first) ImGui::SameLine(0, gap);
+    first = false;
+    const std::string line = "live " + each;
+    const bool chosen = ui.actions.checked(line, ui.state);
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ui.theme.palette.accentSoft);
-    const char* words = each == LiveMode::Auto ? "auto" : each == LiveMode::On ? "on" : "off";
-    textButton(ui, words, "live " + id, {width, 0});
+    textButton(ui, each.c_str(), line, {width, 0});
     if (chosen) ImGui::PopStyleColor();
   }
   ImGui::PushFont(ui.theme.small);

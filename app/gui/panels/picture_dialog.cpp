@@ -19,7 +19,10 @@ namespace chartflood {
 
 namespace {
 
-using Choices = std::initializer_list<std::pair<const char*, const char*>>;
+/// Keys of the picture's settings that have a place of their own here.
+const Setting<PictureSettings>& settingOf(const char* key) {
+  return *findSetting(pictureSettingTable(), key);
+}
 
 std::string value(const Ui& ui, const char* key) {
   return pictureValue(ui.state.preferences.picture, key);
@@ -38,24 +41,25 @@ void dialogLabel(const Ui& ui, const char* words) {
 }
 
 /// One of several, as round buttons in a row.
-void choiceRow(const Ui& ui, const char* words, const char* key, Choices choices) {
-  dialogLabel(ui, words);
+void choiceRow(const Ui& ui, const char* key) {
+  const Setting<PictureSettings>& setting = settingOf(key);
+  dialogLabel(ui, setting.title);
   bool first = true;
-  for (const auto& [id, label] : choices) {
+  for (const SettingChoice& each : setting.value.domain.choices) {
     if (!first) ImGui::SameLine(0, ui.px(14));
     first = false;
-    const std::string line = setLine(key, id);
+    const std::string line = setLine(key, each.id);
     ImGui::PushID(line.c_str());
-    if (ImGui::RadioButton(label, value(ui, key) == id)) ui.run(line);
+    if (ImGui::RadioButton(each.label.c_str(), value(ui, key) == each.id)) ui.run(line);
     ImGui::PopID();
     ui.probe.item(line);
   }
 }
 
-void tick(const Ui& ui, const char* words, const char* key) {
+void tick(const Ui& ui, const char* key) {
   bool on = value(ui, key) == "on";
   ImGui::PushID(key);
-  if (ImGui::Checkbox(words, &on)) ui.run(setLine(key, switchWord(on)));
+  if (ImGui::Checkbox(settingOf(key).title, &on)) ui.run(setLine(key, switchWord(on)));
   ImGui::PopID();
   ui.probe.item(std::string("picture/") + key);
 }
@@ -103,18 +107,16 @@ void sizeRow(const Ui& ui, const PictureExtent& extent) {
   ImGui::SameLine(0, ui.px(4));
   textField(ui, "height", "", ui.px(62), false);
   ImGui::SameLine(0, ui.px(8));
-  tick(ui, "Lock ratio", "lock-ratio");
+  tick(ui, "lock-ratio");
 }
 
 void keepRow(const Ui& ui) {
   dialogLabel(ui, "Keep");
-  const std::pair<const char*, const char*> helpers[] = {
-      {"Colour bar", "legend"}, {"Seeds", "seeds"}, {"Seams", "seams"}, {"Numbers", "numbers"}};
   bool first = true;
-  for (const auto& [words, key] : helpers) {
+  for (const char* key : {"scalar-bar", "seed-marks", "seams", "numbers"}) {
     if (!first) ImGui::SameLine(0, ui.px(12));
     first = false;
-    tick(ui, words, key);
+    tick(ui, key);
   }
 }
 
@@ -217,12 +219,8 @@ void viewRows(const Ui& ui, const PictureExtent& extent) {
     ImGui::PushItemFlag(ImGuiItemFlags_Disabled, true);
   }
   sizeRow(ui, extent);
-  choiceRow(ui, "Smoothing", "smooth", {{"1", "1x"}, {"2", "2x"}, {"4", "4x"}});
-  choiceRow(ui, "Ground", "ground",
-            {{"theme", "As shown"},
-             {"white", "White"},
-             {"black", "Black"},
-             {"transparent", "Transparent"}});
+  choiceRow(ui, "supersampling");
+  choiceRow(ui, "background");
   keepRow(ui);
   if (window) {
     ImGui::PopItemFlag();
@@ -249,12 +247,7 @@ void pictureDialog(const Ui& ui, PreviewSource* previews) {
   if (shown) {
     const PictureSettings& settings = ui.state.preferences.picture;
     const PictureExtent extent = wantedExtent(ui.state, settings);
-    choiceRow(ui, "View", "view",
-              {{"3d", "Model"},
-               {"uv", "Texture"},
-               {"both", "Both"},
-               {"ab", "A | B"},
-               {"window", "Window"}});
+    choiceRow(ui, "view");
     viewRows(ui, extent);
     dialogLabel(ui, "Name");
     textField(ui, "name", PictureSettings{}.name.c_str(), ImGui::GetContentRegionAvail().x, true);

@@ -37,12 +37,24 @@ void choiceRow(const Ui& ui, const char* label, std::span<const Choice> choices)
   ImGui::EndCombo();
 }
 
-void lookRows(const Ui& ui) {
-  std::vector<Choice> themes;
-  for (const ThemeInfo& theme : themeTable()) {
-    themes.push_back({theme.label, std::string("theme ") + theme.id});
+/// The choices of an action's first argument, by their labels.
+void choicesOf(const Ui& ui, const char* action, const char* label = nullptr) {
+  const Action& found = *ui.actions.find(action);
+  const ArgumentInfo& argument = found.arguments.front();
+  std::vector<Choice> choices;
+  for (std::size_t i = 0; i < argument.choices.size(); ++i) {
+    choices.push_back({argument.labels[i], std::string(action) + ' ' + argument.choices[i]});
   }
-  choiceRow(ui, "Theme", themes);
+  choiceRow(ui, label == nullptr ? found.title.c_str() : label, choices);
+}
+
+void switchOf(const Ui& ui, const char* action) {
+  switchRow(ui, ui.actions.find(action)->title.c_str(), ui.actions.checked(action, ui.state),
+            action);
+}
+
+void lookRows(const Ui& ui) {
+  choicesOf(ui, "theme");
   std::vector<Choice> sizes = {{"As the screen proposes", "ui-scale auto"}};
   for (const char* percent : {"75", "100", "125", "150", "175", "200", "250"}) {
     sizes.push_back({std::string(percent) + " %", std::string("ui-scale ") + percent});
@@ -51,11 +63,7 @@ void lookRows(const Ui& ui) {
 }
 
 void mouseRows(const Ui& ui) {
-  static const Choice kStyles[] = {
-      {"Simple: left turns, middle moves", "navigation simple"},
-      {"Blender: middle turns, Shift+middle moves", "navigation blender"},
-      {"Maya: Alt+left turns, Alt+middle moves", "navigation maya"}};
-  choiceRow(ui, "Mouse like", kStyles);
+  choicesOf(ui, "navigation");
   if (ui.state.preferences.navigation == NavigationStyle::Maya) {
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
     ImGui::TextWrapped("Some window managers keep Alt+drag for themselves.");
@@ -64,16 +72,13 @@ void mouseRows(const Ui& ui) {
   static const Choice kAxes[] = {{"Y", "up-axis y"}, {"Z", "up-axis z"}};
   choiceRow(ui, "Upright axis of this model", kAxes);
   for (const char* line : {"trackball", "invert-zoom", "invert-turn-x", "invert-turn-y"}) {
-    switchRow(ui, ui.actions.find(line)->title.c_str(), ui.actions.checked(line, ui.state), line);
+    switchOf(ui, line);
   }
 }
 
 void habitRows(const Ui& ui) {
-  static const Choice kLive[] = {{"When a flood is quick", "live auto"},
-                                 {"Always", "live on"},
-                                 {"Never: only when let go", "live off"}};
-  choiceRow(ui, "Flood while dragging", kLive);
-  switchRow(ui, "Ask before unsaved work is lost", ui.state.preferences.askUnsaved, "ask-unsaved");
+  choicesOf(ui, "live", "Flood while dragging");
+  switchOf(ui, "ask-unsaved");
 }
 
 void heading(const Ui& ui, const char* words) {

@@ -108,6 +108,14 @@ void actionMenuItem(const Ui& ui, std::string_view line, const std::string& titl
   if (clicked) ui.run(line);
 }
 
+void choiceMenuItems(const Ui& ui, std::string_view action) {
+  const ArgumentInfo& choice = ui.actions.find(action)->arguments.front();
+  for (std::size_t i = 0; i < choice.choices.size(); ++i) {
+    const std::string& label = i < choice.labels.size() ? choice.labels[i] : choice.choices[i];
+    actionMenuItem(ui, std::string(action) + ' ' + choice.choices[i], label);
+  }
+}
+
 void rowLabel(const char* words, float share) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(words);

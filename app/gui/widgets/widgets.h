@@ -23,6 +23,9 @@ void textButton(const Ui& ui, const char* words, std::string_view line, ImVec2 s
 /// A menu entry for `line` with its key, tick and reason; `title` "" takes the action's own.
 void actionMenuItem(const Ui& ui, std::string_view line, const std::string& title = "");
 
+/// One entry for each choice of an action's first argument, by its label.
+void choiceMenuItems(const Ui& ui, std::string_view action);
+
 /// The label of a row; the control follows at that share of the width.
 void rowLabel(const char* words, float share);
 

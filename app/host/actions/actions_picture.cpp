@@ -18,9 +18,7 @@ void takePicture(AppState& state, const Arguments& a) {
   request.settings = state.preferences.picture;
   request.bare = a.flag("bare", false);
   if (request.bare) {
-    for (const char* key : {"legend", "seeds", "numbers"}) {
-      setPictureValue(request.settings, key, "off");
-    }
+    request.settings.legend = request.settings.seeds = request.settings.numbers = false;
     request.settings.ground = "transparent";
     if (request.settings.view == "window") request.settings.view = "3d";  // the model alone
   }
@@ -119,11 +117,15 @@ void addPictureActions(ActionRegistry& registry) {
       registry, "picture-dialog", "Picture\u2026",
       "What pictures are like: view, size, ground and name.", "Shift+F12",
       [](auto& state) -> auto& { return state.panels.picture; });
+  ArgumentInfo key{"key", ArgumentType::Choice, "which one"};
+  for (const auto& row : pictureSettingTable()) {
+    key.choices.push_back(row.id);
+    if (*row.former != '\0') key.former.push_back(row.former);
+  }
   registry.add({.id = "picture-set",
                 .title = "Set what pictures are like",
                 .help = "Gives a setting of pictures a new value.",
-                .arguments = {{"key", ArgumentType::Choice, "which one", true, pictureKeys()},
-                              {"value", ArgumentType::Text, "the new value", false}},
+                .arguments = {key, {"value", ArgumentType::Text, "the new value", false}},
                 .refusal = {},
                 .run =
                     [](AppState& state, const Arguments& a) {

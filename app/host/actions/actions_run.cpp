@@ -85,35 +85,6 @@ void addRunActions(ActionRegistry& registry) {
                   state.request(state.playback.stepChart(steppedChart(state)));
                 }});
   registry.bind("Alt+Right", "step-chart");
-  std::vector<std::string> sizes;
-  sizes.reserve(std::size(kManyFaces));
-  for (const ManyFaces many : kManyFaces) sizes.emplace_back(manyFacesId(many));
-  registry.add({.id = "many",
-                .title = "Triangles of a large step",
-                .help = "Chooses how many triangles Step many and Back many take.",
-                .arguments = {{"faces", ArgumentType::Choice, "how many", true, sizes}},
-                .refusal = {},
-                .run =
-                    [](AppState& state, const Arguments& a) {
-                      state.preferences.film.many = manyFacesFromId(a.text("faces"));
-                    },
-                .checked =
-                    [](const AppState& state, const Arguments& a) {
-                      return a.has("faces") &&
-                             manyFacesId(state.preferences.film.many) == a.text("faces");
-                    }});
-  registry.add({.id = "reduced-motion",
-                .title = "Reduced motion",
-                .help = "Nothing flashes: triangles that a step takes appear without a sign.",
-                .arguments = {{"on", ArgumentType::Switch, "left out: the other way", false}},
-                .refusal = {},
-                .run =
-                    [](AppState& state, const Arguments& a) {
-                      bool& reduced = state.preferences.film.reducedMotion;
-                      reduced = a.flag("on", !reduced);
-                    },
-                .checked = [](const AppState& state,
-                              const Arguments&) { return state.preferences.film.reducedMotion; }});
 }
 
 }  // namespace chartflood

@@ -50,18 +50,6 @@ void addQuestion(ActionRegistry& registry) {
                                {"save", "discard", "cancel"}}},
                 .refusal = needsQuestion,
                 .run = [](AppState& state, const Arguments& a) { answer(state, a.text("how")); }});
-  registry.add({.id = "ask-unsaved",
-                .title = "Ask before changes are lost",
-                .help = "Whether to ask before unsaved changes of parameters or seeds are lost.",
-                .arguments = {{"on", ArgumentType::Switch, "left out: turns it over", false}},
-                .refusal = {},
-                .run =
-                    [](AppState& state, const Arguments& a) {
-                      bool& ask = state.preferences.askUnsaved;
-                      ask = a.flag("on", !ask);
-                    },
-                .checked = [](const AppState& state,
-                              const Arguments&) { return state.preferences.askUnsaved; }});
 }
 
 void addRecovery(ActionRegistry& registry) {

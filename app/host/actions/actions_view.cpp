@@ -134,35 +134,6 @@ void addCamera(ActionRegistry& registry) {
                     [](const AppState& state, const Arguments& a) {
                       return (state.view.camera.up == UpAxis::Z) == (a.text("axis") == "z");
                     }});
-  registry.add(
-      {.id = "navigation",
-       .title = "Mouse like",
-       .help = "Chooses which mouse buttons turn, move and zoom.",
-       .arguments =
-           {{"style", ArgumentType::Choice, "which one", true, {"simple", "blender", "maya"}}},
-       .refusal = {},
-       .run =
-           [](AppState& state, const Arguments& a) {
-             state.preferences.navigation = navigationStyleFromId(a.text("style"));
-           },
-       .checked =
-           [](const AppState& state, const Arguments& a) {
-             return navigationStyleId(state.preferences.navigation) == a.text("style");
-           }});
-}
-
-void setUiScale(AppState& state, const std::string& text) {
-  if (text == "auto") {
-    state.preferences.uiScale = 0;
-    return;
-  }
-  char* end = nullptr;
-  const double percent = std::strtod(text.c_str(), &end);
-  if (*end != '\0' || !(percent >= 75 && percent <= 250)) {
-    throw UsageError("The size of the interface '" + text +
-                     "' must be auto or 75 to 250 per cent.");
-  }
-  state.preferences.uiScale = percent / 100;
 }
 
 void addPanels(ActionRegistry& registry) {
@@ -230,30 +201,6 @@ void addPanels(ActionRegistry& registry) {
                                                    : Tab::Uv;
          state.panels.selectRightTab = true;
        }});
-  registry.add(
-      {.id = "ui-scale",
-       .title = "Size of the interface",
-       .help = "Sets the size of text and controls.",
-       .arguments = {{"percent", ArgumentType::Text, "auto or 75 to 250"}},
-       .refusal = {},
-       .run = [](AppState& state, const Arguments& a) { setUiScale(state, a.text("percent")); },
-       .checked =
-           [](const AppState& state, const Arguments& a) {
-             const long percent = std::lround(100 * state.preferences.uiScale);
-             return a.text("percent") == (percent == 0 ? "auto" : std::to_string(percent));
-           }});
-  registry.add(
-      {.id = "live",
-       .title = "Live",
-       .help = "Whether dragging a slider floods at once. Auto: when a flood is quick.",
-       .arguments = {{"when", ArgumentType::Choice, "when", true, {"auto", "on", "off"}}},
-       .refusal = {},
-       .run = [](AppState& state,
-                 const Arguments& a) { state.preferences.live = liveModeFromId(a.text("when")); },
-       .checked =
-           [](const AppState& state, const Arguments& a) {
-             return liveModeId(state.preferences.live) == a.text("when");
-           }});
   registry.add({.id = "close-toast",
                 .title = "Close",
                 .help = "Takes a message off the view; it stays in the log.",

@@ -36,6 +36,10 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+bool holdsWord(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 void checkType(std::string_view action, const ArgumentInfo& info, const std::string& value) {
   const std::string where = "argument '" + info.name + "' is '" + value + "'";
   switch (info.type) {
@@ -51,7 +55,7 @@ void checkType(std::string_view action, const ArgumentInfo& info, const std::str
     if (!switchValue(value)) refuse(action, where + ", but must be on or off.");
     return;
   case ArgumentType::Choice:
-    if (std::find(info.choices.begin(), info.choices.end(), value) == info.choices.end()) {
+    if (!holdsWord(info.choices, value) && !holdsWord(info.former, value)) {
       refuse(action, where + ", but must be one of " + joined(info.choices) + ".");
     }
     return;

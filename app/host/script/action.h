@@ -27,6 +27,8 @@ struct ArgumentInfo {
   std::string help;
   bool required = true;
   std::vector<std::string> choices = {};  ///< of a Choice
+  std::vector<std::string> labels = {};   ///< of these in menus; none: as they are
+  std::vector<std::string> former = {};   ///< more choices, of older versions, that are still read
 };
 
 /// Arguments of one call, checked against the action's table.
@@ -50,7 +52,7 @@ class Arguments {
 };
 
 struct Action {
-  std::string id;     ///< "color-mode": the first word of a script line
+  std::string id;     ///< "color-by": the first word of a script line
   std::string title;  ///< "Colour": as menus and buttons show it
   std::string help;   ///< one sentence: what it does
   std::vector<ArgumentInfo> arguments;
@@ -60,6 +62,7 @@ struct Action {
   std::function<void(AppState&, const Arguments&)> run;
   /// For menus: whether the thing that it sets or toggles is on. May be empty.
   std::function<bool(const AppState&, const Arguments&)> checked = {};
+  std::string former = {};  ///< id that older versions gave it, still read
 };
 
 }  // namespace chartflood

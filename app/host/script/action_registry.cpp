@@ -35,7 +35,11 @@ void ActionRegistry::addBinding(std::string_view chord, std::string_view line, b
 const Action* ActionRegistry::find(std::string_view id) const {
   const auto found =
       std::find_if(actions_.begin(), actions_.end(), [&](const Action& a) { return a.id == id; });
-  return found == actions_.end() ? nullptr : &*found;
+  if (found != actions_.end()) return &*found;
+  const auto former = std::find_if(actions_.begin(), actions_.end(), [&](const Action& a) {
+    return !a.former.empty() && a.former == id;
+  });
+  return former == actions_.end() ? nullptr : &*former;
 }
 
 const Action& ActionRegistry::at(std::string_view id) const {

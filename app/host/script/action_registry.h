@@ -29,6 +29,7 @@ class ActionRegistry {
 
   std::span<const Action> actions() const { return actions_; }
   std::span<const Binding> bindings() const { return bindings_; }
+  /// By its id or former id; nullptr for others.
   const Action* find(std::string_view id) const;
   /// The binding of a key, or nullptr.
   const Binding* findBinding(const Chord& chord, bool seedsTool = false) const;

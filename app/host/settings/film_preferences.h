@@ -1,20 +1,14 @@
 #pragma once
 /// How the user likes to watch floods.
 
-#include <array>
 #include <cstddef>
-#include <string>
+
+#include "app/host/settings/setting.h"
 
 namespace chartflood {
 
 /// How many triangles a large step takes.
 enum class ManyFaces { Ten, Hundred, Hundredth, OneAChart };
-inline constexpr std::array kManyFaces = {ManyFaces::Ten, ManyFaces::Hundred, ManyFaces::Hundredth,
-                                          ManyFaces::OneAChart};
-
-const char* manyFacesId(ManyFaces many);
-/// Hundredth for an unknown name.
-ManyFaces manyFacesFromId(const std::string& id);
 /// At least 1. `faces` and `charts` of the model.
 std::size_t manyFacesCount(ManyFaces many, std::size_t faces, std::size_t charts);
 
@@ -24,5 +18,6 @@ struct FilmPreferences {
 
   bool operator==(const FilmPreferences&) const = default;
 };
+const SettingTable<FilmPreferences>& filmSettingTable();
 
 }  // namespace chartflood

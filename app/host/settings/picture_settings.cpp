@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <functional>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
-#include "core/io/text/parse_number.h"
 
 namespace chartflood {
 
@@ -22,108 +18,77 @@ constexpr std::array<PictureSizeChoice, 7> kSizes = {{{"window", "As in the wind
                                                       {"square", "2048 x 2048"},
                                                       {"own", "Own"}}};
 
-[[noreturn]] void refuse(std::string_view key, std::string_view text, const std::string& allowed) {
-  throw UsageError("The picture's " + std::string(key) + " cannot be '" + std::string(text) +
-                   "': " + allowed + ".");
-}
-
-struct Row {
-  const char* key;
-  std::function<std::string(const PictureSettings&)> get;
-  std::function<void(PictureSettings&, std::string_view)> set;
-};
-
-Row switchRow(const char* key, bool PictureSettings::*member) {
-  return {key, [=](const PictureSettings& s) { return std::string(switchWord(s.*member)); },
-          [=](PictureSettings& s, std::string_view text) {
-            const std::optional<bool> on = switchValue(text);
-            if (!on) refuse(key, text, "give on or off");
-            s.*member = *on;
-          }};
-}
-
-Row choiceRow(const char* key, std::string PictureSettings::*member,
-              const std::vector<std::string>& choices) {
-  return {key, [=](const PictureSettings& s) { return s.*member; },
-          [=](PictureSettings& s, std::string_view text) {
-            if (std::find(choices.begin(), choices.end(), text) == choices.end()) {
-              std::string all;
-              for (const std::string& each : choices) all += (all.empty() ? "" : ", ") + each;
-              refuse(key, text, "choose of " + all);
-            }
-            s.*member = text;
-          }};
-}
-
-int readInteger(std::string_view key, std::string_view text, int least, int most) {
-  int value = 0;
-  const std::string_view digits = withoutPlus(text);
-  const char* const last = digits.data() + digits.size();
-  const auto [end, error] = std::from_chars(digits.data(), last, value);
-  if (error != std::errc() || end != last || value < least || value > most) {
-    refuse(key, text,
-           "give a whole number from " + std::to_string(least) + " to " + std::to_string(most));
-  }
-  return value;
-}
-
 /// One side of the own size; the other follows where the ratio is locked.
-Row sideRow(const char* key, int PictureSettings::*member, int PictureSettings::*other) {
-  return {key, [=](const PictureSettings& s) { return std::to_string(s.*member); },
-          [=](PictureSettings& s, std::string_view text) {
-            const int value = readInteger(key, text, 1, PictureSettings::kLargestSide);
-            if (s.lockRatio) {
-              const double ratio = static_cast<double>(s.*other) / (s.*member);
-              s.*other = static_cast<int>(
-                  std::clamp(std::round(value * ratio), 1.0, 1.0 * PictureSettings::kLargestSide));
-            }
-            s.*member = value;
-          }};
+SettingSource<PictureSettings> side(int PictureSettings::*member, int PictureSettings::*other) {
+  SettingSource<PictureSettings> source = numberFrom(member, 1, PictureSettings::kLargestSide);
+  source.set = [=, plain = source.set](PictureSettings& s, const SettingValue& value) {
+    const double ratio = static_cast<double>(s.*other) / (s.*member);
+    std::string reason = plain(s, value);
+    if (reason.empty() && s.lockRatio) {
+      s.*other = static_cast<int>(
+          std::clamp(std::round((s.*member) * ratio), 1.0, 1.0 * PictureSettings::kLargestSide));
+    }
+    return reason;
+  };
+  return source;
 }
 
-Row textRow(const char* key, std::string PictureSettings::*member) {
-  return {key, [=](const PictureSettings& s) { return s.*member; },
-          [=](PictureSettings& s, std::string_view text) { s.*member = text; }};
+/// Samples a pixel in each direction.
+SettingSource<PictureSettings> samples() {
+  return checkedSource<PictureSettings, std::string>(
+      {.type = SettingType::Choice, .choices = {{"1", "1x"}, {"2", "2x"}, {"4", "4x"}}},
+      [](const PictureSettings& s) { return std::to_string(s.smooth); },
+      [](PictureSettings& s, const std::string& text) { s.smooth = text[0] - '0'; });
 }
 
-std::vector<Row> makeRows() {
-  std::vector<std::string> sizes;
-  sizes.reserve(std::size(kSizes));
-  for (const PictureSizeChoice& each : kSizes) sizes.push_back(each.id);
+SettingTable<PictureSettings> makePictureRows() {
   using S = PictureSettings;
-  return {choiceRow("view", &S::view, {"3d", "uv", "both", "ab", "window"}),
-          choiceRow("size", &S::size, sizes),
-          switchRow("lock-ratio", &S::lockRatio),
-          sideRow("width", &S::width, &S::height),
-          sideRow("height", &S::height, &S::width),
-          {"smooth", [](const S& s) { return std::to_string(s.smooth); },
-           [](S& s, std::string_view text) {
-             if (text != "1" && text != "2" && text != "4")
-               refuse("smooth", text, "give 1, 2 or 4");
-             s.smooth = text[0] - '0';
-           }},
-          choiceRow("ground", &S::ground, {"theme", "white", "black", "transparent"}),
-          switchRow("legend", &S::legend),
-          switchRow("seeds", &S::seeds),
-          switchRow("seams", &S::seams),
-          switchRow("numbers", &S::numbers),
-          {"frames", [](const S& s) { return std::to_string(s.frames); },
-           [](S& s, std::string_view text) {
-             s.frames = readInteger("frames", text, S::kFewestFrames, S::kMostFrames);
-           }},
-          textRow("name", &S::name),
-          textRow("folder", &S::folder)};
+  std::vector<SettingChoice> sizes;
+  for (const PictureSizeChoice& each : kSizes) sizes.push_back({each.id, each.label});
+  return {{"view", "View", "What a picture shows.",
+           oneOf(&S::view, {{"3d", "Model"},
+                            {"uv", "Texture"},
+                            {"both", "Both"},
+                            {"ab", "A | B"},
+                            {"window", "Window"}})},
+          {"size", "Size", "How large a picture is.", oneOf(&S::size, sizes)},
+          {"lock-ratio", "Lock ratio", "A change of one side takes the other along.",
+           onOff(&S::lockRatio)},
+          {"width", "Width", "Pixels of the own size.", side(&S::width, &S::height)},
+          {"height", "Height", "Pixels of the own size.", side(&S::height, &S::width)},
+          {.id = "supersampling",
+           .title = "Smoothing",
+           .help = "Samples a pixel in each direction, for smooth lines.",
+           .value = samples(),
+           .former = "smooth"},
+          {.id = "background",
+           .title = "Ground",
+           .help = "What stands behind the model.",
+           .value = oneOf(&S::ground, {{"theme", "As shown"},
+                                       {"white", "White"},
+                                       {"black", "Black"},
+                                       {"transparent", "Transparent"}}),
+           .former = "ground"},
+          {.id = "scalar-bar",
+           .title = "Colour bar",
+           .help = "Kept where it is shown.",
+           .value = onOff(&S::legend),
+           .former = "legend"},
+          {.id = "seed-marks",
+           .title = "Seeds",
+           .help = "Kept where they are shown.",
+           .value = onOff(&S::seeds),
+           .former = "seeds"},
+          {"seams", "Seams", "Kept where they are shown.", onOff(&S::seams)},
+          {"numbers", "Numbers", "Kept where they are shown.", onOff(&S::numbers)},
+          {"frames", "Pictures", "Of a turntable or a film.",
+           numberFrom(&S::frames, S::kFewestFrames, S::kMostFrames)},
+          {"name", "Name", "Of new pictures.", freeText(&S::name)},
+          {"folder", "Folder", "Of new pictures.", freeText(&S::folder)}};
 }
 
-const std::vector<Row>& rows() {
-  static const std::vector<Row> all = makeRows();
-  return all;
-}
-
-const Row& rowOf(std::string_view key) {
-  for (const Row& row : rows()) {
-    if (key == row.key) return row;
-  }
+const Setting<PictureSettings>& rowOf(std::string_view key) {
+  if (const auto* row = findSetting(pictureSettingTable(), key)) return *row;
   throw UsageError("A picture has no setting '" + std::string(key) + "'.");
 }
 
@@ -157,18 +122,20 @@ PictureExtent pictureExtent(const PictureSettings& settings, int viewWidth, int 
   return extent;
 }
 
-std::vector<std::string> pictureKeys() {
-  std::vector<std::string> keys;
-  for (const Row& row : rows()) keys.emplace_back(row.key);
-  return keys;
+const SettingTable<PictureSettings>& pictureSettingTable() {
+  static const SettingTable<PictureSettings> rows = makePictureRows();
+  return rows;
 }
 
 std::string pictureValue(const PictureSettings& settings, std::string_view key) {
-  return rowOf(key).get(settings);
+  return rowOf(key).text(settings);
 }
 
 void setPictureValue(PictureSettings& settings, std::string_view key, std::string_view text) {
-  rowOf(key).set(settings, text);
+  const Setting<PictureSettings>& row = rowOf(key);
+  const std::string reason = row.setText(settings, text);
+  if (reason.empty()) return;
+  throw UsageError("The picture's " + refusalText(row.id, text, reason, row.value.domain));
 }
 
 void applyPicture(const PictureSettings& settings, RenderSettings& render) {

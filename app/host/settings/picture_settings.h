@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "app/host/settings/setting.h"
 #include "render/scene/render_settings.h"
 
 namespace chartflood {
@@ -44,7 +44,7 @@ struct PictureExtent {
 /// For a view of so many pixels. Sides beyond kLargestSide are shortened, the ratio kept.
 PictureExtent pictureExtent(const PictureSettings& settings, int viewWidth, int viewHeight);
 
-std::vector<std::string> pictureKeys();
+const SettingTable<PictureSettings>& pictureSettingTable();
 /// \throws UsageError for an unknown key, here and below
 std::string pictureValue(const PictureSettings& settings, std::string_view key);
 /// \throws UsageError that says what is allowed

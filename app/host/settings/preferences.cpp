@@ -1,3 +1,5 @@
+// Reading and writing what a user likes.
+
 #include "app/host/settings/preferences.h"
 
 #include <algorithm>
@@ -16,6 +18,22 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kConfigName = "config.json";
 constexpr const char* kStateName = "state.json";
 
+std::optional<SettingValue> settingValueOf(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number()) return json.get<double>();
+  if (json.is_string()) return json.get<std::string>();
+  return std::nullopt;
+}
+
+Json settingJson(const Setting<Preferences>& row, const Preferences& preferences) {
+  const SettingValue value = row.get(preferences);
+  if (const bool* on = std::get_if<bool>(&value)) return *on;
+  if (const std::string* text = std::get_if<std::string>(&value)) return *text;
+  const double number = std::get<double>(value);
+  if (row.value.domain.type == SettingType::Whole) return static_cast<std::int64_t>(number);
+  return number;
+}
+
 /// One file's values, with a note of what could not be used.
 class PreferenceValues {
  public:
@@ -28,13 +46,14 @@ class PreferenceValues {
          " beside new settings");
   }
 
-  template <typename T>
-  void read(const char* key, T& value, bool (Json::*isType)() const noexcept) {
-    if (!json_.contains(key)) return;
-    if ((json_[key].*isType)()) {
-      value = json_[key].get<T>();
-    } else {
-      warn(std::string("holds an unusable value for '") + key + "'");
+  /// What is absent stays.
+  void read(const SettingTable<Preferences>& rows, Preferences& result) {
+    for (const Setting<Preferences>& row : rows) {
+      if (!json_.contains(row.id)) continue;
+      const std::optional<SettingValue> value = settingValueOf(json_[row.id]);
+      if (!value || !row.set(result, *value).empty()) {
+        warn(std::string("holds an unusable value for '") + row.id + "'");
+      }
     }
   }
   /// {name: {option: value, ..}, ..}
@@ -107,46 +126,13 @@ void readPicture(PreferenceValues& config, PictureSettings& picture, std::string
 
 Json pictureJson(const PictureSettings& picture) {
   Json list = Json::array();
-  for (const std::string& key : pictureKeys())
-    list.push_back(key + '=' + pictureValue(picture, key));
+  for (const auto& row : pictureSettingTable()) {
+    list.push_back(std::string(row.id) + '=' + row.text(picture));
+  }
   return list;
 }
 
 }  // namespace
-
-const char* liveModeId(LiveMode mode) {
-  switch (mode) {
-  case LiveMode::On:
-    return "on";
-  case LiveMode::Off:
-    return "off";
-  case LiveMode::Auto:
-    break;
-  }
-  return "auto";
-}
-
-const char* navigationStyleId(NavigationStyle style) {
-  switch (style) {
-  case NavigationStyle::Blender:
-    return "blender";
-  case NavigationStyle::Maya:
-    return "maya";
-  case NavigationStyle::Simple:
-    break;
-  }
-  return "simple";
-}
-
-LiveMode liveModeFromId(const std::string& id) {
-  return id == "on" ? LiveMode::On : id == "off" ? LiveMode::Off : LiveMode::Auto;
-}
-
-NavigationStyle navigationStyleFromId(const std::string& id) {
-  return id == "blender" ? NavigationStyle::Blender
-         : id == "maya"  ? NavigationStyle::Maya
-                         : NavigationStyle::Simple;
-}
 
 void rememberFile(Preferences& preferences, const std::filesystem::path& file) {
   const std::string name = std::filesystem::absolute(file).lexically_normal().string();
@@ -160,36 +146,13 @@ Preferences readPreferences(const std::filesystem::path& configFolder,
                             const std::filesystem::path& stateFolder, std::string& warning) {
   warning.clear();
   Preferences result;
-  std::string navigation = navigationStyleId(result.navigation), live = liveModeId(result.live),
-              theme = themeInfo(result.theme).id;
   PreferenceValues config(configFolder / kConfigName, warning);
-  config.read("theme", theme, &Json::is_string);
-  config.read("ui-scale", result.uiScale, &Json::is_number);
-  config.read("navigation", navigation, &Json::is_string);
-  config.read("invert-zoom", result.invertZoom, &Json::is_boolean);
-  config.read("trackball", result.trackball, &Json::is_boolean);
-  config.read("invert-turn-x", result.invertTurnX, &Json::is_boolean);
-  config.read("invert-turn-y", result.invertTurnY, &Json::is_boolean);
-  config.read("live", live, &Json::is_string);
-  config.read("first-steps", result.firstCard, &Json::is_boolean);
-  config.read("ask-unsaved", result.askUnsaved, &Json::is_boolean);
+  config.read(preferenceTable(), result);
   config.readPresets(result);
   readPicture(config, result.picture, warning);
-  std::string many = manyFacesId(result.film.many);
-  config.read("many", many, &Json::is_string);
-  result.film.many = manyFacesFromId(many);
-  config.read("reduced-motion", result.film.reducedMotion, &Json::is_boolean);
-  result.navigation = navigationStyleFromId(navigation);
-  result.live = liveModeFromId(live);
-  if (const ThemeInfo* known = findTheme(theme)) result.theme = known->kind;
-  if (result.uiScale != 0) result.uiScale = std::clamp(result.uiScale, 0.75, 2.5);
-
   PreferenceValues state(stateFolder / kStateName, warning);
-  state.read("window-width", result.windowWidth, &Json::is_number_integer);
-  state.read("window-height", result.windowHeight, &Json::is_number_integer);
+  state.read(windowPlaceTable(), result);
   state.readStrings("recent-files", result.recentFiles);
-  result.windowWidth = std::clamp(result.windowWidth, 640, 16384);
-  result.windowHeight = std::clamp(result.windowHeight, 480, 16384);
   if (result.recentFiles.size() > Preferences::kMostRecent) {
     result.recentFiles.resize(Preferences::kMostRecent);
   }
@@ -198,24 +161,14 @@ Preferences readPreferences(const std::filesystem::path& configFolder,
 
 void writePreferences(const Preferences& preferences, const std::filesystem::path& configFolder,
                       const std::filesystem::path& stateFolder) {
-  writeSettingsFile(configFolder / kConfigName,
-                    {{"theme", themeInfo(preferences.theme).id},
-                     {"ui-scale", preferences.uiScale},
-                     {"navigation", navigationStyleId(preferences.navigation)},
-                     {"invert-zoom", preferences.invertZoom},
-                     {"trackball", preferences.trackball},
-                     {"invert-turn-x", preferences.invertTurnX},
-                     {"invert-turn-y", preferences.invertTurnY},
-                     {"live", liveModeId(preferences.live)},
-                     {"first-steps", preferences.firstCard},
-                     {"ask-unsaved", preferences.askUnsaved},
-                     {"presets", presetsJson(preferences)},
-                     {"many", manyFacesId(preferences.film.many)},
-                     {"reduced-motion", preferences.film.reducedMotion},
-                     {"picture", pictureJson(preferences.picture)}});
-  writeSettingsFile(stateFolder / kStateName, {{"window-width", preferences.windowWidth},
-                                               {"window-height", preferences.windowHeight},
-                                               {"recent-files", preferences.recentFiles}});
+  Json config, state;
+  for (const auto& row : preferenceTable()) config[row.id] = settingJson(row, preferences);
+  config["presets"] = presetsJson(preferences);
+  config["picture"] = pictureJson(preferences.picture);
+  for (const auto& row : windowPlaceTable()) state[row.id] = settingJson(row, preferences);
+  state["recent-files"] = preferences.recentFiles;
+  writeSettingsFile(configFolder / kConfigName, config);
+  writeSettingsFile(stateFolder / kStateName, state);
 }
 
 }  // namespace chartflood

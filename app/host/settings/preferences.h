@@ -44,10 +44,13 @@ struct Preferences {
   bool operator==(const Preferences&) const = default;
 };
 
-const char* liveModeId(LiveMode mode);
-const char* navigationStyleId(NavigationStyle style);
-LiveMode liveModeFromId(const std::string& id);
-NavigationStyle navigationStyleFromId(const std::string& id);
+/// The rows that do more than take a value.
+inline constexpr const char* kTrackballSetting = "trackball";
+
+/// What config.json holds beside pictures and presets; actions and options come from it, too.
+const SettingTable<Preferences>& preferenceTable();
+/// What state.json holds beside the recent files.
+const SettingTable<Preferences>& windowPlaceTable();
 
 /// Puts a file at the head of the recent ones.
 void rememberFile(Preferences& preferences, const std::filesystem::path& file);
