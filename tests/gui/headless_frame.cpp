@@ -41,6 +41,7 @@ void HeadlessFrame::frames(int count) {
 }
 
 void HeadlessFrame::openFlooded(const std::string& sample, std::size_t triangles) {
+  state_.preferences.explore = false;
   state_.openSample(sample, triangles);
   state_.playback.setSpeed(2 * Playback::kFastest);
   frames(8);

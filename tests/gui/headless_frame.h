@@ -21,7 +21,7 @@ class HeadlessFrame {
 
   /// Runs frames; the side bars need two to settle.
   void frames(int count);
-  /// Opens a sample inline and floods it once.
+  /// Opens a sample inline and floods it once; values are answered with floods.
   void openFlooded(const std::string& sample, std::size_t triangles);
 
   /// The widget with this label; fails the test when it is not there.

@@ -33,12 +33,13 @@ class SamePicture : public ::testing::Test {
     state.panels.viewWidth = 180;
     state.panels.viewHeight = 130;
     state.playback.setSpeed(2 * Playback::kFastest);
+    state.preferences.explore = false;
     state.view.render.background = backgroundFromText("#203040");
   }
   void settle() {
     for (int i = 0; i < 20; ++i) {
       state.update(1.0 / 60);
-      live.prepare(state);
+      live.catchUp(state);
       const std::vector<Index> numbers = live.chartColorNumbers(state);
       if (!numbers.empty()) state.view.chartColors = numbers;
     }

@@ -18,6 +18,8 @@ class RunWatchTest : public testing::Test {
   const ActionRegistry actions_ = makeActionRegistry();
   AppState state_{Session::Worker::Inline};
 
+  RunWatchTest() { state_.preferences.explore = false; }
+
   void perform(const std::string& line) {
     ASSERT_TRUE(state_.perform(actions_, line)) << line;
     settle();

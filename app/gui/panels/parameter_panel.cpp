@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/gui/panels/panels.h"
 #include "app/gui/widgets/widgets.h"
@@ -11,28 +12,62 @@ namespace chartflood {
 
 namespace {
 
-void liveRow(const Ui& ui) {
+/// A button that says in words what its script line does.
+struct NamedLine {
+  std::string words, line;
+};
+
+/// A row of buttons of which the one that is in force is marked.
+void choiceRow(const Ui& ui, const char* label, const std::vector<NamedLine>& choices,
+               bool (*inForce)(const Ui& ui, const std::string& line)) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Live");
+  ImGui::TextUnformatted(label);
   ImGui::SameLine(ui.px(78));
-  const float gap = ui.px(2);
-  const float side = ImGui::GetFrameHeight() + ui.px(4);
-  const float width = (ImGui::GetContentRegionAvail().x - side - 2 * gap) / 3;
-  bool first = true;
-  for (const std::string& each : ui.actions.find("live")->arguments.front().choices) {
-    if (!first) ImGui::SameLine(0, gap);
-    first = false;
-    const std::string line = "live " + each;
-    const bool chosen = ui.actions.checked(line, ui.state);
+  const float gap = ui.px(2), side = ImGui::GetFrameHeight() + ui.px(4);
+  const auto count = static_cast<float>(choices.size());
+  const float width = (ImGui::GetContentRegionAvail().x - side - (count - 1) * gap) / count;
+  for (const NamedLine& each : choices) {
+    if (&each != &choices.front()) ImGui::SameLine(0, gap);
+    const bool chosen = inForce(ui, each.line);
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ui.theme.palette.accentSoft);
-    textButton(ui, each.c_str(), line, {width, 0});
+    textButton(ui, each.words.c_str(), each.line, {width, 0});
     if (chosen) ImGui::PopStyleColor();
   }
+}
+
+/// What values are answered with: finished charts, or floods to be watched.
+void lookRow(const Ui& ui) {
+  choiceRow(ui, "Look", {{"Explore", "explore on"}, {"Watch", "explore off"}},
+            [](const Ui& ui, const std::string& line) {
+              return ui.state.preferences.explore == (line == "explore on");
+            });
+}
+
+void liveRow(const Ui& ui) {
+  std::vector<NamedLine> choices;
+  for (const std::string& each : ui.actions.find("live")->arguments.front().choices) {
+    choices.push_back({each, "live " + each});
+  }
+  choiceRow(ui, "Live", choices, [](const Ui& ui, const std::string& line) {
+    return ui.actions.checked(line, ui.state);
+  });
+}
+
+const char* answerWords(const AppState& state) {
+  if (state.preferences.explore) {
+    return state.answersDrags() ? "Previews while dragged, finishes when let go"
+                                : "Too large for previews: finishes when let go";
+  }
+  return state.answersDrags() ? "Floods while a slider is dragged"
+                              : "Floods when a slider is let go";
+}
+
+/// When a slider is answered, and with what.
+void answerRow(const Ui& ui) {
   ImGui::PushFont(ui.theme.small);
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
   ImGui::SetCursorPosX(ui.px(78));
-  ImGui::TextUnformatted(ui.state.floodsWhileDragged() ? "Floods while a slider is dragged"
-                                                       : "Floods when a slider is let go");
+  fittedText(ui, answerWords(ui.state), ImGui::GetContentRegionAvail().x, ui.theme.palette.dim);
   ui.probe.item("live/applies");
   ImGui::PopStyleColor();
   ImGui::PopFont();
@@ -50,7 +85,9 @@ std::string staleWords(const Ui& ui, std::string_view group) {
 
 void parameterPanel(const Ui& ui) {
   presetRow(ui);
-  liveRow(ui);
+  lookRow(ui);
+  if (!ui.state.preferences.explore) liveRow(ui);
+  answerRow(ui);
   const ParameterInfo* shown = findParameter(ui.state.panels.shownParameter);
   std::string_view group;
   bool open = true;

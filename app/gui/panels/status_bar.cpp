@@ -1,6 +1,7 @@
 // State of work with a bar and a way to cancel, what is under the mouse, figures of the result.
 
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "app/gui/panels/panels.h"
@@ -40,6 +41,12 @@ void workBar(const Ui& ui, const std::string& words, float fraction) {
   ImGui::PopStyleVar();
 }
 
+/// What the work is for, where it is an answer to new values: what is shown until then is not it.
+std::string answering(const AppState& state) {
+  if (!state.preferences.explore || !state.changing() || !state.results().segmentation) return "";
+  return state.results().sketch ? "Preview, settling: " : "Settling: ";
+}
+
 void workState(const Ui& ui) {
   if (const PictureRow& row = ui.state.pictureRow; row.running()) {
     const std::string what = row.row == PictureRequest::Row::Turntable ? "Turntable " : "Film ";
@@ -48,7 +55,8 @@ void workState(const Ui& ui) {
   }
   const WorkStatus& status = ui.state.status();
   if (status.busy && status.seconds > kQuietSeconds) {
-    return workBar(ui, *status.phase == '\0' ? "Working" : status.phase, status.fraction);
+    const std::string phase = *status.phase == '\0' ? "Working" : status.phase;
+    return workBar(ui, answering(ui.state) + phase, status.fraction);
   }
   if (ui.state.methodRuns.running()) {
     const MethodRuns::State runs = ui.state.methodRuns.state();
@@ -58,8 +66,10 @@ void workState(const Ui& ui) {
   const char* words = "Open a model to begin";
   if (playback.playing()) {
     words = "Playing";
+  } else if (ui.state.results().sketch) {
+    words = "Preview";
   } else if (ui.state.results().stale) {
-    words = "Out of date: press Play";
+    words = ui.state.preferences.explore ? "Out of date: press Enter" : "Out of date: press Play";
   } else if (ui.state.hasMesh()) {
     words = ui.state.results().stopReason != StopReason::NotStopped ? "Finished" : "Ready";
   }
@@ -94,6 +104,30 @@ std::string underMouse(const AppState& state) {
   return text;
 }
 
+/// " (+1.2)", "" where nothing changed as far as is shown.
+std::string difference(const char* pattern, std::optional<double> before,
+                       std::optional<double> after, double factor = 1) {
+  if (!before || !after) return "";
+  const std::string zero = format(pattern, 0), nil = format(pattern, -0.0);
+  const std::string text = format(pattern, factor * (*after - *before));
+  return text == zero || text == nil ? "" : " (" + text + ")";
+}
+
+/// Figures of the finished charts, with what the last change did to them.
+std::string finishedFigures(const AppState& state) {
+  const CompareFigures& now = state.liveFigures();
+  const CompareFigures before = state.earlierFigures().value_or(now);
+  std::string text;
+  if (now.seams) {
+    text += "   seams " + format("%.2f", *now.seams) + difference("%+.2f", before.seams, now.seams);
+  }
+  if (now.stretch) {
+    text += "   stretch " + format("%.3f", *now.stretch) +
+            difference("%+.3f", before.stretch, now.stretch);
+  }
+  return text;
+}
+
 std::string figures(const AppState& state) {
   const Results& results = state.results();
   if (!results.mesh) return "";
@@ -101,8 +135,16 @@ std::string figures(const AppState& state) {
   if (const auto& shown = state.shownStats(); shown && !shown->charts.empty()) {
     const ChartStats& stats = *shown;
     text += std::to_string(stats.charts.size()) + " charts";
-    text += stats.balanceDefined ? "   spread " + format("%.1f %%", 100 * stats.stdOverMean())
-                                 : "   no curvature to balance";
+    if (stats.balanceDefined) {
+      const double spread = stats.stdOverMean();
+      text += "   spread " + format("%.1f %%", 100 * spread);
+      if (state.showsFinal() && state.earlierFigures()) {
+        text += difference("%+.1f", state.earlierFigures()->spread, spread, 100);
+      }
+    } else if (state.playback.recorded() > 0) {
+      text += "   no curvature to balance";
+    }
+    if (state.showsFinal()) text += finishedFigures(state);
     text += "   |   ";
   }
   return text + grouped(results.mesh->triangleCount()) + " triangles";

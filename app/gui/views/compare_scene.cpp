@@ -50,6 +50,12 @@ SceneSource* CompareScene::side(const AppState& state, ComparePane pane) {
   return &view(state, pane);
 }
 
+void CompareScene::catchUp(const AppState& state) {
+  if (!state.compare.showing()) return live_.catchUp(state);
+  update(state);
+  for (const ComparePane& each : state.compare.panes()) viewOf(each).catchUp(state);
+}
+
 bool CompareScene::busy() const {
   return live_.busy() || std::any_of(sides_.begin(), sides_.end(), [](const Side& side) {
            return side.view && side.view->busy();

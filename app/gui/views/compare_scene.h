@@ -31,6 +31,7 @@ class CompareScene : public SceneSource {
   SceneView& live() { return live_; }
 
   /// As in SceneView, for all halves.
+  void catchUp(const AppState& state);
   bool busy() const;
   bool goOn();
 

@@ -61,6 +61,12 @@ bool sessionHolds(const AppState& state) {
   return !other && state.view.checkerFile.empty();
 }
 
+/// Charts that will be others in a moment are not what a picture was asked of.
+bool awaitsCharts(const AppState& state) {
+  return state.preferences.explore && !state.playback.playing() &&
+         (state.changing() || state.results().sketch);
+}
+
 /// True when a session leads to what is shown. Problems are those of charts laid flat.
 bool comesBack(const AppState& state) {
   if (!sessionHolds(state) || (state.view.render.problems && !state.results().flat)) return false;
@@ -174,6 +180,7 @@ void PictureTaker::take(const AppState& state, CompareScene& scene, const Pictur
     if (state.results().flat) write(state, request, drawTexture(state, scene), {});
     return;
   }
+  scene.catchUp(state);
   Taken taken;
   if (request.settings.view == "window") {
     if (window_) write(state, request, window_(), taken);
@@ -275,7 +282,7 @@ void PictureTaker::goOn(AppState& state, CompareScene& scene, float pixelScale) 
 void PictureTaker::update(AppState& state, CompareScene& scene, float pixelScale) {
   if (row_) return goOn(state, scene, pixelScale);
   auto& waiting = state.requests.pictures;
-  while (!waiting.empty() && !row_) {
+  while (!waiting.empty() && !row_ && !awaitsCharts(state)) {
     const PictureRequest request = waiting.front();
     waiting.erase(waiting.begin());
     if (writing_.valid()) report(state);  // names are given out one after the other

@@ -293,6 +293,16 @@ void SceneView::takeIn(const AppState& state) {
   showScene(state);
 }
 
+void SceneView::catchUp(const AppState& state) {
+  const gl::FramebufferScope keep;
+  pending_.reset();  // what it shows is older than what is asked for
+  do {
+    if (flat_.valid()) flat_.wait();
+    if (parting_.valid()) parting_.wait();
+    takeIn(state);
+  } while (mesh_ && (flat_.valid() || parting_.valid() || !floodTaken_));
+}
+
 /// A whole flood at once would hold up the window; the rest comes with the next passes.
 void SceneView::showScene(const AppState& state) {
   const bool simplified = scene_.simple != nullptr && scene_.simple != renderer_.scene().simple;

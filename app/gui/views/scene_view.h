@@ -52,6 +52,9 @@ class SceneView : public SceneSource {
   void setPane(ComparePane pane) { pane_ = pane; }
   /// Takes in what is new, unless a picture is under way.
   void prepare(const AppState& state);
+  /// The same with all that threads of their own are still making of it, for pictures that are
+  /// kept.
+  void catchUp(const AppState& state);
   /// The scale of colours that the half has by itself; nothing for modes without one.
   std::optional<ScalarRange> ownRange(const AppState& state) const;
   /// The ends that all halves share; nothing: each its own.

@@ -34,7 +34,7 @@ std::string storeRefusal(const AppState& state) {
   if (state.methodRuns.running()) {
     return "The methods that are being compared will be stored; Esc gives up.";
   }
-  if (!state.results().segmentation || state.results().stale) {
+  if (!state.results().segmentation || !settled(state.results())) {
     return "There are no charts to store yet; press Play first.";
   }
   return "";

@@ -35,7 +35,7 @@ void countCreases(AppState& state) {
   document.seeds.clear();
   state.playback.follow();
   state.changeDocument(document, "Pieces from creases", "charts", false);
-  state.request(StepRequest{StepUnit::Converged, 1});
+  if (!state.preferences.explore) state.finish();
 }
 
 void useCount(AppState& state, long charts) {

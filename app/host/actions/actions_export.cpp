@@ -18,7 +18,7 @@ namespace {
 std::string needsLabels(const AppState& state) {
   if (!state.hasMesh()) return needsMesh(state);
   const auto& labels = state.results().segmentation;
-  const bool ready = labels && labels->complete && !state.status().busy;
+  const bool ready = labels && labels->complete && !state.status().busy && settled(state.results());
   return ready ? "" : "There are no complete charts yet; finish a flood first.";
 }
 

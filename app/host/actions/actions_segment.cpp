@@ -24,6 +24,12 @@ std::string needsMoreToFlood(const AppState& state) {
   return over ? "The segmentation is finished; reset it or change a parameter to go on." : "";
 }
 
+/// Charts of the present values can always be gone to where values are answered with them.
+std::string needsMoreToRun(const AppState& state) {
+  const bool again = state.results().unsettled || state.preferences.explore;
+  return state.hasMesh() && again ? "" : needsMoreToFlood(state);
+}
+
 std::string needsRounds(const AppState& state) {
   if (!state.hasMesh()) return needsMesh(state);
   return state.results().history.empty() ? "No round is finished yet." : "";
@@ -148,6 +154,23 @@ void setSpeed(AppState& state, const std::string& text) {
   state.playback.setSpeed(speed);
 }
 
+void stop(AppState& state) {
+  if (state.pictureRow.running()) {
+    state.requests.stopPictures = true;
+    return;
+  }
+  const bool resting =
+      !state.status().busy && !state.playback.playing() && !state.methodRuns.running();
+  const bool inFilm = state.playback.hasFinal() && !state.playback.atFinal();
+  if (resting && inFilm && state.preferences.explore) return state.playback.follow();
+  if (resting) state.selectedChart = state.chosenSeed = kNone;
+  state.playback.pause();
+  state.session().stop();
+  if (!state.methodRuns.running()) return;
+  state.methodRuns.stop();
+  state.notices.add(Notice::Kind::Info, "The comparison of methods was given up.");
+}
+
 void addRuns(ActionRegistry& registry) {
   registry.add(
       {.id = "iteration",
@@ -162,34 +185,20 @@ void addRuns(ActionRegistry& registry) {
   registry.bind("L", "iteration");
   registry.add({.id = "run",
                 .title = "Run to the end",
-                .help = "Floods round after round without waiting, until a stop rule fires.",
+                .help = "Floods round after round without waiting, until a stop rule fires, and "
+                        "shows the finished charts.",
                 .arguments = {},
-                .refusal = needsMoreToFlood,
-                .run = [](AppState& state, const Arguments&) {
-                  state.playback.follow();
-                  state.request(StepRequest{StepUnit::Converged, 1});
-                }});
+                .refusal = needsMoreToRun,
+                .run = [](AppState& state, const Arguments&) { state.finish(); }});
   registry.bind("Enter", "run");
   registry.add({.id = "stop",
                 .title = "Stop",
-                .help = "Stops at the next triangle; what was done so far stays. Then deselects.",
+                .help =
+                    "Stops at the next triangle; what was done so far stays. Then leads from the "
+                    "film to the finished charts, then deselects.",
                 .arguments = {},
                 .refusal = {},
-                .run = [](AppState& state, const Arguments&) {
-                  if (state.pictureRow.running()) {
-                    state.requests.stopPictures = true;
-                    return;
-                  }
-                  if (!state.status().busy && !state.playback.playing() &&
-                      !state.methodRuns.running()) {
-                    state.selectedChart = state.chosenSeed = kNone;
-                  }
-                  state.playback.pause();
-                  state.session().stop();
-                  if (!state.methodRuns.running()) return;
-                  state.methodRuns.stop();
-                  state.notices.add(Notice::Kind::Info, "The comparison of methods was given up.");
-                }});
+                .run = [](AppState& state, const Arguments&) { stop(state); }});
   registry.bind("Esc", "stop");
   registry.add(
       {.id = "speed",

@@ -43,6 +43,7 @@ std::vector<std::uint32_t> colorsOf(const Results& results, const std::string& p
 
 std::string exportRefusal(const Results& results) {
   if (!results.mesh) return "There is no model yet; open one first.";
+  if (results.sketch) return "These charts are a preview: let go of the slider, or press Enter.";
   return results.flat ? "" : "The charts are not laid flat yet; press Unwrap (W) first.";
 }
 

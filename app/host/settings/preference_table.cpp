@@ -79,9 +79,14 @@ SettingTable<Preferences> makeRows() {
        onOff(&P::invertTurnX)},
       {"invert-turn-y", "Invert turning up and down", "Dragging up turns down.",
        onOff(&P::invertTurnY)},
+      {"explore", "Explore",
+       "Changed values are answered with finished charts: a sketch while a slider is dragged, then "
+       "what a batch run gives. Off: one flood at a time, to be watched.",
+       onOff(&P::explore)},
       {.id = "live",
        .title = "Live",
-       .help = "Whether dragging a slider floods at once. Auto: when a flood is quick.",
+       .help = "Whether dragging a slider floods at once while floods are watched. Auto: when a "
+               "flood is quick.",
        .value = oneOf(&P::live, std::span<const NamedValue<LiveMode>>(kLiveModes)),
        .argument = "when"},
       {"first-steps", "", "The card of first steps is still to be shown.", onOff(&P::firstCard)},

@@ -26,7 +26,8 @@ struct Preferences {
   bool invertZoom = false;
   bool trackball = false;  ///< turning is free; else the upright axis stays upright
   bool invertTurnX = false, invertTurnY = false;  ///< dragging right turns left, and so on
-  LiveMode live = LiveMode::Auto;
+  bool explore = true;             ///< values are answered with finished charts; else with floods
+  LiveMode live = LiveMode::Auto;  ///< where they are answered with floods
   FilmPreferences film;
   bool firstCard = true;    ///< the card of first steps is still to be shown
   bool askUnsaved = true;   ///< before unsaved changes would be lost

@@ -40,6 +40,7 @@ void AppState::update(double seconds) {
   runs.update(*this);
   film.update(results_->segmentation, std::min(seconds, kLongestPlayedSeconds));
   movePlayback(std::min(seconds, kLongestPlayedSeconds));
+  finishFirstFlood();
   keepWork(seconds);
 }
 
@@ -67,6 +68,8 @@ void AppState::takeNewMesh() {
   hintStroke.reset();
   undo_.clear();  // its seeds are faces of another mesh
   methodRuns.stop();
+  earlierFigures_.reset();
+  firstFlood_ = false;
   view.uvCamera = {};
   view.isolate = false;
   view.chartColors.clear();
@@ -84,7 +87,17 @@ void AppState::takeNewMesh() {
   placeSeeds();
   takeHints();
   keeper.begin(session_.document(), {});
-  if (asked) playback.playOneFlood();
+  if (asked) {
+    playback.playOneFlood();
+    firstFlood_ = true;
+  }
+}
+
+/// What has been watched once is looked at finished, unless the user has taken it over.
+void AppState::finishFirstFlood() {
+  if (!firstFlood_ || playback.playing() || changing()) return;
+  firstFlood_ = false;
+  if (preferences.explore && playback.complete() && playback.atEnd()) finish();
 }
 
 void AppState::whenSafe(std::function<void(AppState&)> step) {
@@ -137,6 +150,13 @@ std::vector<PlacedSeed> AppState::presentSeeds() const {
   const std::shared_ptr<const Results> results = session_.results();
   if (!results->mesh) return {};
   const Document& document = session_.document();
+  if (preferences.explore && !document.seeds.empty()) {
+    std::vector<PlacedSeed> seeds = document.seeds;
+    for (std::size_t i = seeds.size(); i < results->start.seeds.size(); ++i) {
+      seeds.push_back({results->start.seeds[i]});
+    }
+    return seeds;
+  }
   const bool current = !results->stale && results->placed == document.seeds &&
                        results->parameters == document.parameters;
   if (!current && !document.seeds.empty()) return document.seeds;

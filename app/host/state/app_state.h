@@ -148,11 +148,18 @@ class AppState {
   /// True for a chart that cannot grow any more at the moment shown, while others can.
   bool closedOff(Index chart) const { return !showsFinal() && moment_.closedOff(chart); }
 
-  /// True when dragging a slider floods at once, by the preference and what the last flood took.
-  bool floodsWhileDragged() const { return floodsLive(true); }
+  /// True when dragging a slider changes the charts at once: by sketches where the model is not too
+  /// large for them, else by floods where the preference and what the last one took allow it.
+  bool answersDrags() const;
 
-  /// The seeds of the charts that are or are about to be shown, with their locks.
+  /// The seeds of the charts that are or are about to be shown, with their locks. Where values are
+  /// answered with finished charts those placed by hand stay where they were put.
   std::vector<PlacedSeed> presentSeeds() const;
+
+  /// Goes to the finished charts of the present values, whatever is shown.
+  void finish();
+  /// Figures of the finished charts before the last change of values; null without any.
+  const std::optional<CompareFigures>& earlierFigures() const { return earlierFigures_; }
 
   /// Changes parameters or seeds as an undoable step called `name`. With `dragging` further
   /// changes under the same `key` join it, until one without.
@@ -238,6 +245,8 @@ class AppState {
   std::optional<HintStroke> hintStroke;  ///< follows the mouse
   /// Longest flood that is repeated while a slider is dragged, milliseconds.
   static constexpr double kLiveMilliseconds = 150;
+  /// Largest model that is sketched while a value is dragged, triangles.
+  static constexpr std::size_t kMostSketched = 3'000'000;
 
  private:
   static constexpr std::size_t kNoRound = static_cast<std::size_t>(-1);
@@ -251,7 +260,12 @@ class AppState {
   };
 
   bool floodsLive(bool dragging) const;
+  Session::Answer answerTo(bool dragging) const;
+  FloodMoment presentMoment(const Results& results) const;
   UndoStep present() const;
+  void restore(const UndoStep& step);
+  void finishFirstFlood();
+  void noteFigures();
   void takeNewMesh();
   void takeSession(Opening& opening);
   void keepWork(double seconds);
@@ -271,6 +285,8 @@ class AppState {
   std::shared_ptr<const Results> results_;
   mutable CompareFigures figures_;  ///< of the results of `figuresVersion_`
   mutable std::uint64_t figuresVersion_ = 0;
+  std::optional<CompareFigures> earlierFigures_;
+  bool firstFlood_ = false;  ///< of a model is being played; its charts are to be finished then
   MomentCharts moment_;
   std::size_t recalled_ = kNoRound;  ///< round whose log the session was asked for
   WorkStatus status_;

@@ -44,11 +44,12 @@ void AppState::takeSession(Opening& opening) {
     keeper.begin(content.document, opening.sessionFile);
   }
   if (content.moment.start.seeds.empty()) {
-    session_.setDocument(content.document);
+    session_.setDocument(content.document, Session::Answer::Flood);
     playback.playOneFlood();
+    firstFlood_ = true;
   } else {
     playback.follow();
-    session_.restore(content.document, content.moment);
+    session_.restore(content.document, content.moment, answerTo(false));
   }
 }
 
@@ -66,8 +67,7 @@ std::string AppState::sessionTextOf(const ViewSettings& shown,
   const std::shared_ptr<const Results> newest = session_.results();
   const Results& now = newest->meshVersion == meshVersion_ ? *newest : *results_;
   SessionFile session = sessionOf(model_, document(), now);
-  // A flood that is under way will have been finished by the time it is looked at again.
-  if (changing()) session.charts.taken = results_->mesh->faceCount();
+  session.charts = presentMoment(now);
   session.view = viewValues(shown);
   session.view.insert(unknownView_.begin(), unknownView_.end());
   session.unknown = unknownInFile_;

@@ -72,7 +72,7 @@ void useChartRun(AppState& state, std::size_t run) {
   if (differs && stage <= Stage::Refine) {
     state.playback.follow();
     state.changeDocument(document, name, "charts", false);
-    state.request(StepRequest{StepUnit::Converged, 1});
+    if (!state.preferences.explore) state.finish();
   } else {
     state.takeUp(document, tried.moment, name);
   }

@@ -181,8 +181,8 @@ bool Pipeline::apply(const Document& document, bool live, Progress& progress) {
                      (document.parameters.search != before.parameters.search &&
                       run_.start.fast.has_value() != wantsFast().has_value()));
   const bool keepFinal = standing() && samePlaces && stage >= Stage::Iterations;
+  setAside();  // as it is: what is revised next is the beginning of other charts
   reviseSeeds(before);
-  setAside();
   makeGround(before.parameters, progress);
   if (!hadCharts || !live) return true;
   // Where only later stages changed, the finished charts are finished again in the new way.
@@ -214,7 +214,7 @@ bool Pipeline::restore(const Document& document, const FloodMoment& moment, Prog
   Stage stage = Stage::Layout;
   firstDifference(before.parameters, document.parameters, stage);
   if (before.hints != document.hints) stage = std::min(stage, Stage::Refine);
-  if (stage >= Stage::Cut && !unsettled() &&
+  if (stage >= Stage::Cut && (standing() || !finished()) &&
       standsAt(moment)) {  // what comes after the labels, or locks
     run_.locksChanged = run_.locksChanged || before.seeds != document.seeds;
     return false;
@@ -268,6 +268,7 @@ void Pipeline::report(Results& results) const {
   results.flat = isFlat();
   results.finished = finished();
   results.stale = stale();
+  results.unsettled = unsettled();
   results.sketch = run_.depth == Depth::Sketch;
   results.timing = run_.timing;
   results.parameters = document_.parameters;

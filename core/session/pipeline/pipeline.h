@@ -53,7 +53,9 @@ class Pipeline {
   /// then, and where a call is cancelled. False when the charts are as they were.
   bool explore(const Document& document, Depth depth, Progress& progress);
   /// True when these charts are no batch run's: sketches, or of earlier values.
-  bool unsettled() const { return finished() && !standing(); }
+  bool unsettled() const {
+    return finished() && (!standing() || !sameCharts(run_.document, document_));
+  }
 
   /// Takes new values and floods once from the moment's seeds and offsets, as far as it had come.
   /// False where they are at hand, measured and all.

@@ -150,7 +150,7 @@ StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress)
   const Stopwatch stopwatch;
   // Who steps on from finished charts wants more rounds: these begin from the best one's seeds.
   if (!run_.stepper || finished() || overtaken_) {
-    if (unsettled()) run_.start = {};  // those are of other values
+    if (finished() && !standing()) run_.start = {};  // those are of other values
     progress.beginPhase("Placing seeds");
     const auto creases = wantsCreases();
     if (progress.cancelled()) return StepOutcome::Cancelled;

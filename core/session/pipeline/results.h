@@ -64,6 +64,8 @@ struct Results {
   std::shared_ptr<const RunSet> seedRuns;   ///< seeds tried for these charts; null: one
   std::shared_ptr<const RunSet> chartRuns;  ///< the last search for the number of charts
   bool stale = false;
+  bool unsettled =
+      false;            ///< finished charts that a batch run of the present values would not give
   bool sketch = false;  ///< charts made in a hurry while a value is dragged: no batch run's
   Timing timing;
   Parameters parameters;                                ///< that the results were made with
@@ -75,6 +77,9 @@ struct Results {
 /// Where the charts that are shown came from; without seeds when they are stale or a sketch, or
 /// there are none.
 FloodMoment momentOf(const Results& results);
+
+/// Whether the charts are those of the parameters beside them: neither stale nor a sketch.
+bool settled(const Results& results);
 
 /// A sentence for the user, in the order of events.
 struct Notice {
