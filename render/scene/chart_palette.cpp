@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -159,6 +160,67 @@ std::vector<Index> colorCharts(std::size_t chartCount, std::span<const ChartPair
     if (coloring.color[chart] == kNone) coloring.paintFree(chart);
   }
   return coloring.color;
+}
+
+namespace {
+
+/// An old and a new chart, and how many faces they share.
+struct Overlap {
+  Index before, after;
+  std::size_t faces;
+};
+
+/// All pairs of charts that share faces, larger shares first.
+std::vector<Overlap> overlaps(std::span<const Index> before, std::size_t beforeCount,
+                              std::span<const Index> after, std::size_t afterCount) {
+  // Faces in the order of their new charts, so that one row of counters is enough.
+  std::vector<std::size_t> begin(afterCount + 1, 0);
+  for (const Index chart : after) begin[chart < afterCount ? chart : afterCount]++;
+  std::size_t sum = 0;
+  for (std::size_t& each : begin) sum += std::exchange(each, sum);
+  std::vector<Index> faces(after.size());
+  std::vector<std::size_t> next(begin);
+  for (Index f = 0; f < after.size(); ++f) {
+    faces[next[after[f] < afterCount ? after[f] : afterCount]++] = f;
+  }
+  std::vector<Overlap> pairs;
+  std::vector<std::size_t> shared(beforeCount, 0);
+  std::vector<Index> met;
+  for (Index chart = 0; chart < afterCount; ++chart) {
+    for (std::size_t i = begin[chart]; i < begin[chart + 1]; ++i) {
+      const Index old = before[faces[i]];
+      if (old < beforeCount && shared[old]++ == 0) met.push_back(old);
+    }
+    for (const Index old : met) pairs.push_back({old, chart, std::exchange(shared[old], 0)});
+    met.clear();
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Overlap& a, const Overlap& b) { return a.faces > b.faces; });
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<Index> inheritedColors(const Mesh& mesh, std::span<const Index> oldLabel,
+                                   std::span<const Index> oldColor, std::span<const Index> newLabel,
+                                   std::size_t newCount) {
+  std::vector<std::vector<Index>> adjacent(newCount);
+  for (const auto& [a, b] : neighbourCharts(mesh, newLabel)) {
+    adjacent[a].push_back(b);
+    adjacent[b].push_back(a);
+  }
+  std::vector<Index> color(newCount, kNone);
+  std::vector<bool> given(oldColor.size(), false), matched(newCount, false);
+  for (const Overlap& pair : overlaps(oldLabel, oldColor.size(), newLabel, newCount)) {
+    if (given[pair.before] || matched[pair.after]) continue;
+    given[pair.before] = matched[pair.after] = true;
+    const Index wanted = oldColor[pair.before];
+    const auto& around = adjacent[pair.after];
+    const bool clashes = std::any_of(around.begin(), around.end(),
+                                     [&](Index other) { return color[other] == wanted; });
+    if (!clashes) color[pair.after] = wanted;
+  }
+  return color;
 }
 
 }  // namespace chartflood

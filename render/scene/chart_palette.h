@@ -41,4 +41,13 @@ std::vector<ChartPair> nearbyPairs(std::span<const glm::dvec3> points);
 std::vector<Index> colorCharts(std::size_t chartCount, std::span<const ChartPair> neighbours,
                                std::span<const Index> previous, const ChartPalette& palette);
 
+/// Colours with which new charts are a movement of the old ones: a chart takes the number of the
+/// old chart that it shares most faces with; an old chart gives its number to one chart, larger
+/// shares first. kNone where no old chart is left or a new neighbour has the number already: for
+/// colorCharts(), as its `previous`. One label a face, kNone while free. Cost: linear in the faces,
+/// plus the sorting of the pairs of charts that overlap.
+std::vector<Index> inheritedColors(const Mesh& mesh, std::span<const Index> oldLabel,
+                                   std::span<const Index> oldColor, std::span<const Index> newLabel,
+                                   std::size_t newCount);
+
 }  // namespace chartflood

@@ -1,6 +1,12 @@
 // Values answered with finished charts, as the window's state does it.
 
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -9,6 +15,10 @@
 #include "app/host/actions/actions.h"
 #include "app/host/script/action_registry.h"
 #include "app/host/state/app_state.h"
+#include "core/io/read_mesh.h"
+#include "core/model/build_mesh.h"
+#include "core/samples/samples.h"
+#include "render/scene/chart_palette.h"
 
 namespace chartflood {
 namespace {
@@ -182,6 +192,75 @@ TEST_F(Explore, OffValuesAreAnsweredWithAFlood) {
   EXPECT_FALSE(state_.results().finished);
   EXPECT_EQ(state_.results().history.size(), 1u);
   EXPECT_FALSE(state_.earlierFigures());
+}
+
+/// Of the faces that a chart shares with one before, where that is half of both: how many have the
+/// colour that they had.
+struct Kept {
+  std::size_t faces = 0, kept = 0;
+};
+Kept keptColors(const Segmentation& before, std::span<const Index> colorBefore,
+                const Segmentation& after, std::span<const Index> colorAfter) {
+  std::map<std::pair<Index, Index>, std::size_t> shared;
+  std::vector<std::size_t> size(after.chartCount, 0), old(before.chartCount, 0);
+  for (std::size_t f = 0; f < after.label.size(); ++f) {
+    ++shared[{before.label[f], after.label[f]}];
+    ++size[after.label[f]];
+    ++old[before.label[f]];
+  }
+  Kept sum;
+  for (const auto& [pair, faces] : shared) {
+    if (2 * faces < std::max(size[pair.second], old[pair.first])) continue;
+    sum.faces += faces;
+    if (colorBefore[pair.first] == colorAfter[pair.second]) sum.kept += faces;
+  }
+  return sum;
+}
+
+/// The share of colours kept over 50 small steps of p.
+double keptOverSteps(const std::shared_ptr<const Mesh>& mesh, Session::Answer answer) {
+  Session session(Session::Worker::Inline);
+  session.openMesh(mesh);
+  Document document;
+  session.setDocument(document, Session::Answer::Finished);
+  std::shared_ptr<const Segmentation> before = session.results()->segmentation;
+  const auto paint = [&](const Segmentation& labels, std::span<const Index> previous) {
+    return colorCharts(labels.chartCount, neighbourCharts(*mesh, labels.label), previous,
+                       chartPaletteTable()[0]);
+  };
+  std::vector<Index> colors = paint(*before, {});
+  Kept sum;
+  for (int step = 1; step <= 50; ++step) {
+    document.parameters.speedPower = 1 + 0.02 * step;
+    session.setDocument(document, answer);
+    const std::shared_ptr<const Segmentation> after = session.results()->segmentation;
+    const std::vector<Index> now = paint(
+        *after, inheritedColors(*mesh, before->label, colors, after->label, after->chartCount));
+    const Kept kept = keptColors(*before, colors, *after, now);
+    sum.faces += kept.faces;
+    sum.kept += kept.kept;
+    before = after;
+    colors = now;
+  }
+  return static_cast<double>(sum.kept) / static_cast<double>(sum.faces);
+}
+
+TEST(ChartColors, AreAMovementOverSmallSteps) {
+  const std::shared_ptr<const Mesh> mesh = buildMesh(makeSample("bumps", 4000));
+  for (const Session::Answer answer : {Session::Answer::Sketch, Session::Answer::Finished}) {
+    const double kept = keptOverSteps(mesh, answer);
+    RecordProperty("kept", std::to_string(kept));
+    EXPECT_GE(kept, 0.95);
+  }
+}
+
+TEST(ChartColors, AreAMovementOnTheBunny) {
+  const std::filesystem::path file = CHARTFLOOD_MESHES "/stanford-bunny.obj";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+  const std::shared_ptr<const Mesh> mesh = buildMesh(readMesh(file));
+  const double kept = keptOverSteps(mesh, Session::Answer::Sketch);
+  RecordProperty("kept", std::to_string(kept));
+  EXPECT_GE(kept, 0.95);
 }
 
 }  // namespace

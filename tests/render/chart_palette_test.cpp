@@ -108,5 +108,36 @@ TEST(ChartPalette, NearbyPointsAreTakenForNeighbours) {
   EXPECT_FALSE(set.contains({0, 19}));
 }
 
+/// Charts of so many triangles, one after the other.
+std::vector<Index> labelsOf(std::initializer_list<std::pair<Index, int>> runs) {
+  std::vector<Index> label;
+  for (const auto& [chart, faces] : runs) label.insert(label.end(), faces, chart);
+  return label;
+}
+
+TEST(InheritedColors, FollowTheChartsWhateverTheirNumbers) {
+  const auto mesh = test::plate(30, 1);
+  const auto before = labelsOf({{0, 20}, {1, 20}, {2, 20}});
+  const auto after = labelsOf({{2, 23}, {0, 17}, {1, 20}});
+  const std::vector<Index> old = {5, 3, 7};
+  EXPECT_EQ(inheritedColors(*mesh, before, old, after, 3), (std::vector<Index>{3, 7, 5}));
+}
+
+TEST(InheritedColors, OneChartMoreIsOneNewColour) {
+  const auto mesh = test::plate(30, 1);
+  const auto before = labelsOf({{0, 20}, {1, 20}, {2, 20}});
+  const auto after = labelsOf({{0, 20}, {1, 12}, {3, 8}, {2, 20}});
+  EXPECT_EQ(inheritedColors(*mesh, before, std::vector<Index>{5, 3, 7}, after, 4),
+            (std::vector<Index>{5, 3, 7, kNone}));
+}
+
+TEST(InheritedColors, OfNewNeighboursTheLargerShareKeepsIt) {
+  const auto mesh = test::plate(30, 1);
+  const auto before = labelsOf({{0, 20}, {1, 10}, {2, 30}});
+  const auto after = labelsOf({{0, 25}, {2, 35}});
+  EXPECT_EQ(inheritedColors(*mesh, before, std::vector<Index>{5, 3, 5}, after, 3),
+            (std::vector<Index>{kNone, kNone, 5}));
+}
+
 }  // namespace
 }  // namespace chartflood

@@ -17,6 +17,7 @@ namespace chartflood {
 namespace {
 
 constexpr double kZoomPerNotch = 1.2;  // closer by this per notch
+constexpr double kQuietSeconds = 0.3;  // shorter work shows no bar
 
 /// The rectangle of the texture's picture.
 struct UvRectangle {
@@ -105,7 +106,9 @@ void drawPicture(const Ui& ui, UvSource& source, const UvRectangle& view, UvMoti
   const glm::dvec2 taken(picture.width, picture.height);
   const ImVec2 low = view.place(camera.toPixel(picture.camera.toUv({0, 0}, taken), size));
   const ImVec2 high = view.place(camera.toPixel(picture.camera.toUv(taken, taken), size));
-  ImGui::GetWindowDrawList()->AddImage(picture.texture, low, high, {0, 1}, {1, 0});
+  // Islands of earlier charts step back until the new ones are there.
+  const ImU32 tint = ui.state.results().flat ? IM_COL32_WHITE : IM_COL32(255, 255, 255, 90);
+  ImGui::GetWindowDrawList()->AddImage(picture.texture, low, high, {0, 1}, {1, 0}, tint);
 }
 
 /// The border of the chart and the face that are pointed at, here or on the model.
@@ -128,6 +131,27 @@ void drawHighlight(const Ui& ui, const UvHighlight& highlight, const UvRectangle
                    ui.px(10 * width) / 10);
     }
   }
+}
+
+/// How far the work on the next islands is, over the old ones.
+void drawWork(const Ui& ui, const UvRectangle& view) {
+  const WorkStatus& status = ui.state.status();
+  if (ui.state.results().flat || !status.busy || status.seconds < kQuietSeconds) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float width = std::round(0.4f * (view.max.x - view.min.x)), height = ui.px(6);
+  const ImVec2 low{std::round((view.min.x + view.max.x - width) / 2),
+                   std::round((view.min.y + view.max.y - height) / 2)};
+  const ImVec2 high{low.x + width, low.y + height};
+  list.AddRectFilled(low, high, ui.theme.palette.control, height / 2);
+  list.AddRectFilled(low, {low.x + width * status.fraction, high.y}, ui.theme.palette.accent,
+                     height / 2);
+  const std::string words =
+      std::string(*status.phase == '\0' ? "Working" : status.phase) + "\u2026";
+  const float text = ImGui::CalcTextSize(words.c_str()).x;
+  list.AddText({std::round((view.min.x + view.max.x - text) / 2),
+                low.y - ImGui::GetTextLineHeight() - ui.px(6)},
+               ui.theme.palette.text, words.c_str());
+  ui.probe.rectangle("uv/work", low, high);
 }
 
 /// A line in the middle of the present window.
@@ -159,9 +183,10 @@ void drawMissing(const Ui& ui) {
   textButton(ui, "Unwrap", "unwrap", {width, ui.px(32)});
 }
 
-std::string figures(const Results& results) {
+std::string figures(const AppState& state) {
+  const Results& results = state.results();
   if (!results.atlas) return "";
-  if (!results.flat) return "Out of date: press W";
+  if (!results.flat) return state.changing() || state.status().busy ? "" : "Out of date: press W";
   char text[96];
   std::snprintf(text, sizeof text, "%.0f %% of the texture used", 100 * results.atlas->efficiency);
   return text;
@@ -171,7 +196,7 @@ std::string figures(const Results& results) {
 void drawCaption(const Ui& ui, const UvRectangle& view) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushFont(ui.theme.small);
-  const std::string left = figures(ui.state.results());
+  const std::string left = figures(ui.state);
   const char* right = "Wheel: closer   Drag: move   F: all";
   const float y = view.max.y - ui.px(19), pad = ui.px(8);
   list.AddRectFilled({view.min.x, y - ui.px(5)}, view.max,
@@ -215,7 +240,8 @@ void uvPanel(const Ui& ui, UvSource* source, UvMouse& mouse, bool elsewhere) {
                                                  : UvMotion::None;
   ImGui::PushClipRect(view.min, view.max, true);
   drawPicture(ui, *source, view, motion);
-  drawHighlight(ui, source->highlight(ui.state), view);
+  if (ui.state.results().flat) drawHighlight(ui, source->highlight(ui.state), view);
+  drawWork(ui, view);
   ImGui::PopClipRect();
   drawCaption(ui, view);
 }

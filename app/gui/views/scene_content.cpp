@@ -7,6 +7,7 @@
 
 #include "app/gui/views/drawing_budget.h"
 #include "app/gui/views/scene_view.h"
+#include "render/scene/chart_palette.h"
 #include "render/scene/corner_uv.h"
 
 namespace chartflood {
@@ -171,6 +172,20 @@ void SceneView::takeSeeds(const AppState& state) {
   ++content_;
 }
 
+/// Where values are answered with whole charts these look moved, not painted anew. Floods grow in
+/// the colours of their seeds.
+void SceneView::keepColors(const AppState& state, const Results& results) {
+  const Segmentation *before = segmentation_.get(), *after = results.segmentation.get();
+  const bool moves = pane_.live() && state.preferences.explore && state.showsFinal() &&
+                     recolored_ == state.view.recolored && before != nullptr && before->complete &&
+                     after != nullptr && after->complete;
+  if (!moves) return;
+  const auto numbers = renderer_.chartColorNumbers();
+  const std::size_t known = std::min<std::size_t>(before->chartCount, numbers.size());
+  scene_.chartColors = shared(inheritedColors(*mesh_, before->label, numbers.first(known),
+                                              after->label, after->chartCount));
+}
+
 /// Only while they are shown: to find them takes as long as to flood a large model.
 void SceneView::takeMarks(const AppState& state, const Results& results) {
   const bool shown =
@@ -263,6 +278,7 @@ void SceneView::takeIn(const AppState& state) {
   }
   takeDerived(state, results);
   if (results.segmentation != segmentation_) {
+    keepColors(state, results);
     segmentation_ = results.segmentation;
     scene_.source.segmentation = segmentation_;
     scene_.source.stats = nullptr;

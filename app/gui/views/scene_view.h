@@ -76,6 +76,10 @@ class SceneView : public SceneSource {
   Renderer& renderer() { return renderer_; }
   /// Grows with everything that the renderer was given.
   std::uint64_t content() const { return content_; }
+  /// Whether the texture that was taken in is that of the state's results.
+  bool showsTextureOf(const AppState& state) const {
+    return atlas_ == state.results().atlas && !flat_.valid();
+  }
   /// Size of the last picture.
   int width() const { return width_; }
   int height() const { return height_; }
@@ -98,6 +102,7 @@ class SceneView : public SceneSource {
   void showDerived(std::shared_ptr<const SurfaceDerived> derived,
                    std::shared_ptr<const SurfaceVertices> parted);
   void showScene(const AppState& state);
+  void keepColors(const AppState& state, const Results& results);
   void takeFlood(std::shared_ptr<const FloodRecord> record);
   void takeBorders(const AppState& state);
   void takeAreas(const AppState& state);

@@ -77,7 +77,9 @@ UvPicture UvView::picture(const AppState& state, int width, int height, float pi
                      slow && motion == UvMotion::Own ? 1 : kSmoothSamples,
                      scene_.content()};
   if (pending_ && !scene_.renderer().drawing(back_)) pending_.reset();
-  const bool leave = shown_ && slow && motion == UvMotion::Elsewhere;
+  // Islands never take on the labels of charts that they were not made of.
+  const bool old = !state.results().flat || !scene_.showsTextureOf(state);
+  const bool leave = shown_ && (old || (slow && motion == UvMotion::Elsewhere));
   const bool free = !pending_ && !scene_.busy();
   if (free && !leave && (!shown_ || *shown_ != wanted)) {
     begin(wanted);

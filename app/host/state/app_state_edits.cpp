@@ -50,6 +50,7 @@ void AppState::changeDocument(const Document& document, std::string name, const 
                               bool dragging) {
   const Document before = session_.document();
   const Document after = withFittingSeeds(before, document);
+  if (dragging && after == before) return;  // the mouse rests
   if (after != before) {
     noteFigures();
     undo_.changed(present(), std::move(name), key);

@@ -108,7 +108,10 @@ Run Pipeline::asRun(bool withResults) const {
 void Pipeline::takeOver(ChartRun run) {
   setAside();
   const double read = run_.timing.read;
+  // Until the new charts are laid flat the old texture is there to look at.
+  FlatStages shown = std::move(run_.shownFlat);
   run_ = std::move(run);
+  if (!run_.shownFlat.atlas) run_.shownFlat = std::move(shown);
   run_.timing.read = read;
   run_.flat.parameters.rngSeed = document_.parameters.rngSeed;  // of several that were tried
   overtaken_ = false;

@@ -44,7 +44,7 @@ struct Results {
   std::shared_ptr<const Segmentation> segmentation;  ///< at the end of the last step
   std::shared_ptr<const ChartStats> chartStats;      ///< of `segmentation`
   /// The charts laid flat: all three or none. They stay while charts change; `flat` tells whether
-  /// they belong to `segmentation` and the present parameters.
+  /// they belong to `segmentation` and the present parameters, or are to be looked at only.
   std::shared_ptr<const ChartSet> charts;
   std::shared_ptr<const Unwrap> unwrap;
   std::shared_ptr<const Atlas> atlas;
