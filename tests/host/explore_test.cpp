@@ -125,6 +125,30 @@ TEST_F(Explore, UndoBringsTheFilmAndTheTextureBack) {
   EXPECT_EQ(labels(), batch());
 }
 
+TEST(ExploreBesideAWorker, FinishedChartsStayUntilTheNextAreThere) {
+  const ActionRegistry actions = makeActionRegistry();
+  AppState state(Session::Worker::Threaded);
+  state.playback.setSpeed(2 * Playback::kFastest);
+  state.openSample("bumps", 3000);
+  const auto rest = [&](bool watched) {
+    do {
+      state.update(1.0 / 60);
+      if (!watched) continue;
+      EXPECT_TRUE(state.showsFinal());
+      EXPECT_TRUE(state.results().segmentation->complete);
+      EXPECT_TRUE(state.results().atlas) << "there is a texture to look at";
+    } while (state.status().busy || state.playback.playing());
+  };
+  while (!state.results().flat) rest(false);
+  for (const char* line : {"set charts 9 drag=on", "set charts 11 drag=on", "set charts 11",
+                           "set sharp-angle 30", "undo", "set speed-power 2", "undo", "redo"}) {
+    ASSERT_TRUE(state.perform(actions, line));
+    rest(true);
+  }
+  EXPECT_TRUE(state.results().flat);
+  EXPECT_FALSE(state.results().sketch);
+}
+
 TEST_F(Explore, ADragIsOneStepOfUndo) {
   open();
   const std::vector<Index> before = labels();

@@ -132,7 +132,11 @@ std::string AppState::modelName() const {
 
 bool AppState::showsFinal() const {
   const Segmentation* labels = results_->segmentation.get();
-  if (labels == nullptr || !labels->complete || changing()) return false;
+  if (labels == nullptr || !labels->complete) return false;
+  // Finished charts stay until others are there, even where the worker could not keep them.
+  const bool answers = preferences.explore && (results_->finished || results_->stale);
+  if (answers) return playback.atEndOfRun();
+  if (changing()) return false;
   if (results_->finished) return playback.atFinal();
   return playback.onWorkersRound() && playback.atEnd() && playback.complete();
 }

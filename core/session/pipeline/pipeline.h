@@ -177,6 +177,7 @@ class Pipeline {
   KeptRuns kept_;                            ///< other runs on the mesh
   std::shared_ptr<const RunSet> chartRuns_;  ///< of the mesh
   FloodLogs logs_ = FloodLogs::EveryRound;
+  bool tellsOutcome_ = true;    ///< says why a run has ended; an answer to values is no event
   bool seedsVoid_ = false;      ///< the mesh was built anew with other faces
   std::size_t toldCharts_ = 0;  ///< changed K that the user was told of
   bool toldLiteral_ = false;    ///< the user was told that the mesh is too small to search fast

@@ -39,6 +39,7 @@ bool Pipeline::explore(const Document& document, Depth depth, Progress& progress
   const std::unique_ptr<Pipeline> apart = sibling(
       {[](const FloodBegun&) {}, [&](Notice notice) { said.push_back(std::move(notice)); }});
   apart->depth_ = depth;
+  apart->tellsOutcome_ = false;
   apart->toldCharts_ = toldCharts_;
   apart->toldLiteral_ = toldLiteral_;
   if (depth == Depth::Sketch) {

@@ -161,7 +161,7 @@ StepOutcome Pipeline::step(StepUnit unit, std::size_t count, Progress& progress)
   const StepOutcome outcome = run_.stepper->advance(unit, count, progress);
   keepFlood();
   run_.timing.segment += stopwatch.milliseconds();
-  if (outcome == StepOutcome::Finished) tellOutcome();
+  if (outcome == StepOutcome::Finished && tellsOutcome_) tellOutcome();
   return outcome;
 }
 
