@@ -244,10 +244,14 @@ void Frame::draw(SceneSource* source, UvSource* uvSource, PreviewSource* preview
   if (state_.flash.face() != kNone) ui.wakeIn(state_.flash.secondsLeft());
 }
 
-/// In the seeds tool some keys mean something else, as long as that can be done.
+/// A film over the model has its keys, and so has the seeds tool as long as that can be done.
 const Binding* Frame::bindingOf(const Chord& chord) const {
+  if (state_.film.active()) {
+    const Binding* own = actions_.findBinding(chord, KeyPlace::HandleFilm);
+    if (own != nullptr) return own;
+  }
   if (state_.panels.tool == PanelState::Tool::Seeds) {
-    const Binding* own = actions_.findBinding(chord, true);
+    const Binding* own = actions_.findBinding(chord, KeyPlace::SeedsTool);
     if (own != nullptr && actions_.refusal(own->line, state_).empty()) return own;
   }
   return actions_.findBinding(chord);

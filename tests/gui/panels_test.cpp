@@ -251,8 +251,50 @@ TEST(Panels, MenuRunsActions) {
   HeadlessFrame ui;
   ui.click("menu/View");
   ui.frames(2);
+  ui.click("menu/Show");
+  ui.frames(2);
   ui.click("menu/seams");
   EXPECT_EQ(ui.lastLine(), "seams");
+}
+
+TEST(Panels, ADoubleClickBringsTheDefault) {
+  HeadlessFrame ui;
+  ui.state().perform(ui.actions(), "set speed-power 3");
+  ui.frames(2);
+  const ProbedItem bar = ui.item("speed-power");
+  ui.moveTo({bar.min.x + 0.8f * (bar.max.x - bar.min.x), bar.center().y});
+  for (int i = 0; i < 2; ++i) {
+    ui.press();
+    ui.release();
+  }
+  EXPECT_EQ(ui.state().document().parameters.speedPower, Parameters{}.speedPower);
+}
+
+TEST(Panels, ArrowsMoveTheBarThatHasTheKeyboard) {
+  HeadlessFrame ui;
+  ui.state().perform(ui.actions(), "show-parameter charts");
+  ui.frames(4);
+  const int before = ui.state().document().parameters.charts;
+  ui.arrow(ImGuiKey_RightArrow);
+  EXPECT_EQ(ui.state().document().parameters.charts, before + 1) << "a step is one at least";
+  ui.arrow(ImGuiKey_RightArrow);
+  ui.arrow(ImGuiKey_LeftArrow);
+  ui.arrow(ImGuiKey_LeftArrow);
+  EXPECT_EQ(ui.state().document().parameters.charts, before) << "the keyboard stays with the bar";
+}
+
+TEST(Panels, ATooltipStandsBesideWhatItExplains) {
+  HeadlessFrame ui;
+  for (const char* label : {"speed-power", "run", "charts", "color-mode"}) {
+    ui.moveTo({600, 400});
+    ui.frames(3);
+    ui.moveTo(ui.item(label).center());
+    ui.frames(45);
+    const ProbedItem tip = ui.item("tooltip"), item = ui.item(label);
+    EXPECT_TRUE(tip.min.y >= item.max.y || tip.max.y <= item.min.y) << label;
+    EXPECT_GE(tip.min.x, 0) << label;
+    EXPECT_LE(tip.max.x, 1280) << label;
+  }
 }
 
 TEST(Panels, BrowserOpensAndCloses) {

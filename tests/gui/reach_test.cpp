@@ -2,6 +2,8 @@
 // keyboard alone; each parameter has its tooltip and its option.
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -45,24 +47,84 @@ bool hasKey(const ActionRegistry& actions, const Action& action) {
       [&](const Binding& binding) { return parseCommand(binding.line).action == action.id; });
 }
 
-/// Entries of all menus of the bar, opened one after another, as script lines.
-std::set<std::string> menuLines(HeadlessFrame& ui) {
-  std::set<std::string> lines;
-  for (const char* menu : {"File", "Edit", "View", "Seeds", "Run", "Compare", "Help"}) {
-    ui.click(std::string("menu/") + menu);
-    ui.frames(2);
-    for (const auto& [label, item] : ui.frame().probe().items()) {
-      if (label.starts_with("menu/")) lines.insert(label.substr(5));
-    }
-    ui.escape();
+/// What was seen of the menus.
+struct Menus {
+  std::set<std::string> lines;            ///< entries, as script lines, and names of menus
+  std::map<std::string, float> height;    ///< of each menu
+  std::map<std::string, int> entryCount;  ///< of each menu, menus in it included
+};
+
+std::set<std::string> menuLabels(HeadlessFrame& ui) {
+  std::set<std::string> labels;
+  for (const auto& [label, item] : ui.frame().probe().items()) {
+    if (label.starts_with("menu/")) labels.insert(label.substr(5));
   }
-  return lines;
+  return labels;
+}
+
+/// By a click beside them.
+void closeMenus(HeadlessFrame& ui) {
+  ui.moveTo({640, 560});
+  ui.press();
+  ui.release();
+  ui.frames(3);
+}
+
+/// Opens a menu by clicks on it and those that it is in, and then all that are in it.
+void walk(HeadlessFrame& ui, const std::vector<std::string>& path, Menus& menus) {
+  closeMenus(ui);
+  std::set<std::string> before;
+  for (const std::string& each : path) {
+    const std::set<std::string> now = menuLabels(ui);
+    before.insert(now.begin(), now.end());
+    ui.click("menu/" + each);
+    ui.frames(3);
+  }
+  const std::string& name = path.back();
+  if (!ui.has("menu-body/" + name)) return;  // it cannot be opened now
+  const ProbedItem body = ui.item("menu-body/" + name);
+  menus.height[name] = body.max.y - body.min.y;
+  std::set<std::string> own = menuLabels(ui);
+  std::erase_if(own, [&](const std::string& label) { return before.contains(label); });
+  menus.entryCount[name] = static_cast<int>(own.size());
+  menus.lines.insert(own.begin(), own.end());
+  for (const std::string& label : own) {
+    const bool isMenu = std::isupper(static_cast<unsigned char>(label.front())) != 0;
+    if (!isMenu) continue;
+    std::vector<std::string> deeper = path;
+    deeper.push_back(label);
+    walk(ui, deeper, menus);
+  }
+}
+
+/// All menus of the bar and in them.
+Menus allMenus(HeadlessFrame& ui) {
+  Menus menus;
+  for (const char* menu : {"File", "Edit", "View", "Seeds", "Run", "Compare", "Help"}) {
+    walk(ui, {menu}, menus);
+  }
+  closeMenus(ui);
+  return menus;
+}
+
+TEST(Reach, EveryMenuFitsASmallWindow) {
+  HeadlessFrame ui({1024, 640});
+  ui.openFlooded("sphere", 300);
+  const Menus menus = allMenus(ui);
+  EXPECT_GT(menus.height.size(), 20u);
+  for (const auto& [name, height] : menus.height) {
+    EXPECT_LE(height, 600) << name << " is higher than a window below its bar";
+  }
+  for (const auto& [name, entries] : menus.entryCount) {
+    const bool inBar = ui.has("menu/" + name);
+    if (!inBar) EXPECT_LE(entries, 14) << name;
+  }
 }
 
 TEST(Reach, EveryActionByKeyMenuOrSearch) {
   HeadlessFrame ui;
   ui.openFlooded("sphere", 300);
-  const std::set<std::string> menus = menuLines(ui);
+  const std::set<std::string> menus = allMenus(ui).lines;
   EXPECT_GT(menus.size(), 60u);
   for (const Action& action : ui.actions().actions()) {
     const bool inMenu = std::any_of(menus.begin(), menus.end(), [&](const std::string& line) {

@@ -69,7 +69,7 @@ TEST(Registry, EveryBindingRunsAnActionAndEveryActionHasHelp) {
     const Action* action = registry.find(command.action);
     ASSERT_NE(action, nullptr) << binding.line;
     EXPECT_NO_THROW(Arguments(action->id, action->arguments, command.arguments)) << binding.line;
-    const Binding* found = registry.findBinding(binding.chord, binding.seedsTool);
+    const Binding* found = registry.findBinding(binding.chord, binding.place);
     ASSERT_NE(found, nullptr) << binding.line;
     EXPECT_EQ(found->line, binding.line) << "another line hides it";
   }

@@ -13,16 +13,9 @@ namespace chartflood {
 
 namespace {
 
-/// A menu of the bar, noted under "menu/NAME".
-bool beginMenu(const Ui& ui, const char* name) {
-  const bool open = ImGui::BeginMenu(name);
-  ui.probe.item(std::string("menu/") + name);
-  return open;
-}
-
 void recentMenu(const Ui& ui) {
   const std::vector<std::string> recent = ui.state.preferences.recentFiles;
-  if (!ImGui::BeginMenu("Open recent", !recent.empty())) return;
+  if (!beginMenu(ui, "Open recent", !recent.empty())) return;
   for (const std::string& file : recent) {
     actionMenuItem(ui, "open " + quotedArgument(file),
                    std::filesystem::path(file).filename().string());
@@ -34,7 +27,7 @@ void fileMenu(const Ui& ui) {
   if (!beginMenu(ui, "File")) return;
   actionMenuItem(ui, "browse");
   recentMenu(ui);
-  if (ImGui::BeginMenu("Samples")) {
+  if (beginMenu(ui, "Samples")) {
     for (const SampleInfo& sample : sampleTable()) {
       actionMenuItem(ui, std::string("sample ") + sample.id, sample.title);
     }
@@ -67,10 +60,6 @@ void editMenu(const Ui& ui) {
   actionMenuItem(ui, "undo", undo.empty() ? "Undo" : "Undo " + undo);
   actionMenuItem(ui, "redo", redo.empty() ? "Redo" : "Redo " + redo);
   ImGui::Separator();
-  actionMenuItem(ui, "more-charts");
-  actionMenuItem(ui, "fewer-charts");
-  actionMenuItem(ui, "find-charts");
-  actionMenuItem(ui, "charts-from-creases");
   actionMenuItem(ui, "roll-seed");
   actionMenuItem(ui, "reset-all");
   ImGui::Separator();
@@ -103,7 +92,7 @@ void seedsMenu(const Ui& ui) {
 }
 
 void checkerMenu(const Ui& ui) {
-  if (!ImGui::BeginMenu("Checkerboard of")) return;
+  if (!beginMenu(ui, "Checkerboard of")) return;
   actionMenuItem(ui, "checker-kind squares", "Squares");
   actionMenuItem(ui, "checker-kind numbers", "Numbered squares");
   actionMenuItem(ui, "checker-kind circles", "Circles");
@@ -119,25 +108,37 @@ void checkerMenu(const Ui& ui) {
   ImGui::EndMenu();
 }
 
-void viewMenu(const Ui& ui) {
-  if (!beginMenu(ui, "View")) return;
+void coloursMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Colours")) return;
   colorModeMenu(ui);
-  ImGui::Separator();
-  for (const char* overlay :
-       {"seams", "cuts", "edges", "sharp-edges", "seeds", "numbers", "color-bar"}) {
+  ImGui::EndMenu();
+}
+
+void showMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Show")) return;
+  for (const char* overlay : {"seams", "cuts", "edges", "sharp-edges", "seeds", "numbers",
+                              "color-bar", "legend", "problems"}) {
     actionMenuItem(ui, overlay);
   }
-  actionMenuItem(ui, "legend");
   checkerMenu(ui);
-  ImGui::Separator();
+  ImGui::EndMenu();
+}
+
+void chartsMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Charts")) return;
   for (const char* line : {"previous-chart", "next-chart", "isolate", "hide-chart",
-                           "show-all-charts", "chart-in-texture", "problems"})
+                           "show-all-charts", "chart-in-texture"}) {
     actionMenuItem(ui, line);
-  ImGui::Separator();
+  }
+  ImGui::EndMenu();
+}
+
+void cameraMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Camera")) return;
   actionMenuItem(ui, "frame-selection");
   actionMenuItem(ui, "frame-all");
-  actionMenuItem(ui, "frame-uv");
-  if (ImGui::BeginMenu("Standard views")) {
+  actionMenuItem(ui, "orthographic");
+  if (beginMenu(ui, "Standard views")) {
     for (const char* view : {"oblique", "front", "back", "left", "right", "top", "bottom"}) {
       std::string title = view;
       title[0] = static_cast<char>(title[0] - 'a' + 'A');
@@ -145,44 +146,61 @@ void viewMenu(const Ui& ui) {
     }
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Upright axis")) {
+  if (beginMenu(ui, "Upright axis")) {
     actionMenuItem(ui, "up-axis y", "Y");
     actionMenuItem(ui, "up-axis z", "Z");
     ImGui::EndMenu();
   }
-  actionMenuItem(ui, "orthographic");
-  if (ImGui::BeginMenu("Mouse like")) {
+  if (beginMenu(ui, "Mouse like")) {
     choiceMenuItems(ui, "navigation");
     ImGui::Separator();
     actionMenuItem(ui, "trackball");
     ImGui::EndMenu();
   }
-  ImGui::Separator();
-  if (ImGui::BeginMenu("Theme")) {
+  ImGui::EndMenu();
+}
+
+void textureMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Texture pane")) return;
+  for (const char* line : {"uv-fill", "uv-frame", "frame-uv"}) actionMenuItem(ui, line);
+  ImGui::EndMenu();
+}
+
+void interfaceMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Interface")) return;
+  if (beginMenu(ui, "Theme")) {
     choiceMenuItems(ui, "theme");
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Simulate colour blindness")) {
+  if (beginMenu(ui, "Simulate colour blindness")) {
     for (const ColorVisionInfo& kind : colorVisionTable()) {
       actionMenuItem(ui, std::string("simulate ") + kind.id, kind.label);
     }
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Size of the interface")) {
+  if (beginMenu(ui, "Size of the interface")) {
     actionMenuItem(ui, "ui-scale auto", "As the screen proposes");
     for (const char* percent : {"75", "100", "125", "150", "175", "200", "250"}) {
       actionMenuItem(ui, std::string("ui-scale ") + percent, std::string(percent) + " %");
     }
     ImGui::EndMenu();
   }
-  actionMenuItem(ui, "uv-fill");
-  actionMenuItem(ui, "uv-frame");
   ImGui::Separator();
-  actionMenuItem(ui, "right-pane");
-  actionMenuItem(ui, "next-tab");
-  actionMenuItem(ui, "sphere-linked");
-  actionMenuItem(ui, "hide-panels");
-  actionMenuItem(ui, "full-screen");
+  for (const char* line :
+       {"right-pane", "next-tab", "sphere-linked", "hide-panels", "full-screen"}) {
+    actionMenuItem(ui, line);
+  }
+  ImGui::EndMenu();
+}
+
+void viewMenu(const Ui& ui) {
+  if (!beginMenu(ui, "View")) return;
+  coloursMenu(ui);
+  showMenu(ui);
+  chartsMenu(ui);
+  cameraMenu(ui);
+  textureMenu(ui);
+  interfaceMenu(ui);
   ImGui::EndMenu();
 }
 
@@ -193,16 +211,28 @@ void stepSizeMenu(const Ui& ui) {
   ImGui::EndMenu();
 }
 
-void runMenu(const Ui& ui) {
-  if (!beginMenu(ui, "Run")) return;
-  for (const char* line : {"play", "step", "step-chart", "step-many", "back", "back-many", "finish",
+void filmMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Film of the run")) return;
+  for (const char* line : {"step", "step-chart", "step-many", "back", "back-many", "finish",
                            "first", "last", "run-start", "run-end"}) {
     actionMenuItem(ui, line);
   }
   stepSizeMenu(ui);
   actionMenuItem(ui, "reduced-motion");
+  ImGui::EndMenu();
+}
+
+void runMenu(const Ui& ui) {
+  if (!beginMenu(ui, "Run")) return;
+  actionMenuItem(ui, "explore");
+  actionMenuItem(ui, "play");
+  filmMenu(ui);
   ImGui::Separator();
-  for (const char* line : {"iteration", "run", "stop", "best", "unwrap"}) {
+  for (const char* line : {"run", "iteration", "stop", "best", "unwrap"}) {
+    actionMenuItem(ui, line);
+  }
+  ImGui::Separator();
+  for (const char* line : {"more-charts", "fewer-charts", "find-charts", "charts-from-creases"}) {
     actionMenuItem(ui, line);
   }
   ImGui::Separator();

@@ -66,18 +66,20 @@ void beginTyping(const Ui& ui, const BarSlider& slider) {
   ui.wakeIn(0);
 }
 
-/// Arrow keys move, Enter types, while the bar has the keyboard.
+/// Left and Right move by a step, with Shift by ten, Enter types, while the bar has the keyboard.
+/// Up and Down lead to other rows.
 void useKeys(const Ui& ui, const BarSlider& slider) {
   if (!ImGui::IsItemFocused() || GImGui->NavDisableHighlight) return;
   if (GImGui->NavActivateId == ImGui::GetItemID() && slider.typed && !ImGui::IsMouseDown(0)) {
     beginTyping(ui, slider);
   }
-  const bool shift = ImGui::GetIO().KeyShift;
-  if (slider.nudged && shift && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow))) {
-    slider.nudged(-1);
-  }
-  if (slider.nudged && shift && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow))) {
-    slider.nudged(1);
+  if (!slider.nudged) return;
+  const int steps = ImGui::GetIO().KeyShift ? 10 : 1;
+  for (const auto& [key, direction] :
+       {std::pair(ImGuiKey_LeftArrow, -1), {ImGuiKey_RightArrow, 1}}) {
+    if (!ImGui::IsKeyPressed(ImGui::GetKeyIndex(key))) continue;
+    ImGui::NavMoveRequestCancel();  // the keyboard stays with the bar
+    slider.nudged(direction * steps);
   }
 }
 
@@ -151,9 +153,16 @@ void numberControl(const Ui& ui, const ParameterInfo& info, double value, bool c
     const std::size_t unit = std::min(text.find("\u00b0"), text.find(" px"));
     ui.run(setLine(info, text.substr(0, unit), false));
   };
-  slider.nudged = [&](int direction) {
-    ui.run(setLine(info, textOf(sliderValue(info, slider.fraction + 0.01 * direction)), false));
+  slider.nudged = [&](int steps) {
+    double next = sliderValue(info, slider.fraction + 0.01 * steps);
+    const bool whole = std::holds_alternative<int Parameters::*>(info.member);
+    // A hundredth of the way may be less than one.
+    if (whole && std::abs(next - value) < std::abs(steps)) next = value + steps;
+    next = std::clamp(next, std::min(value, sliderValue(info, 0)),
+                      std::max(value, sliderValue(info, 1)));
+    if (next != value) ui.run(setLine(info, textOf(next), false));
   };
+  slider.reset = [&] { ui.run(std::string("reset ") + info.id); };
   barSlider(ui, slider, width);
 }
 
@@ -215,6 +224,10 @@ void barSlider(const Ui& ui, const BarSlider& slider, float width) {
     ImGui::ClearActiveID();
     return beginTyping(ui, slider);
   }
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && slider.reset) {
+    ImGui::ClearActiveID();
+    return slider.reset();
+  }
   const double place = std::clamp((io.MousePos.x - box.Min.x) / box.GetWidth(), 0.0f, 1.0f);
   const bool byMouse = GImGui->ActiveIdSource == ImGuiInputSource_Mouse;
   if (active && byMouse && io.MouseDown[0]) slider.moved(place, true);
@@ -250,7 +263,7 @@ void parameterRow(const Ui& ui, const ParameterInfo& info) {
     numberControl(ui, info, asNumber(value), changed, row.width);
   }
   if (!unused.empty()) ImGui::PopStyleVar();  // what says why is not dimmed
-  const char* hint = "Ctrl+click to type a value.";
+  const char* hint = "Ctrl+click types a value, a double click brings the default.";
   const bool number = std::holds_alternative<int>(value) || std::holds_alternative<double>(value);
   tooltip(ui, info.id, info.label,
           (unused.empty() ? "" : unused + "\n") + info.help +

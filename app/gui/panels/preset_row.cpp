@@ -80,7 +80,7 @@ void presetRow(const Ui& ui) {
 }
 
 void presetMenu(const Ui& ui) {
-  if (!ImGui::BeginMenu("Presets")) return;
+  if (!beginMenu(ui, "Presets")) return;
   actionMenuItem(ui, "name-preset", "Save as a preset\u2026");
   actionMenuItem(ui, "restore-preset");
   ImGui::Separator();

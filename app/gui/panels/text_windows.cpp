@@ -29,7 +29,8 @@ void keyRow(const Ui& ui, const Binding& binding) {
   if (const auto first = command.arguments.find("0"); first != command.arguments.end()) {
     title += ": " + first->second;
   }
-  if (binding.seedsTool) title += " (seeds tool)";
+  if (binding.place == KeyPlace::SeedsTool) title += " (seeds tool)";
+  if (binding.place == KeyPlace::HandleFilm) title += " (film of a handle)";
   ImGui::TextWrapped("%s", title.c_str());
   ImGui::TableNextColumn();
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);

@@ -161,7 +161,10 @@ void seedMenu(const Ui& ui, SceneSource* source, const ViewRectangle& view, Scen
       ui.state.notices.add(Notice::Kind::Info, "The middle of the view shows no surface.");
     }
   }
-  if (!ImGui::BeginPopup("seed menu")) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(6)));
+  const bool open = ImGui::BeginPopup("seed menu");
+  ImGui::PopStyleVar();
+  if (!open) return;
   const std::vector<PlacedSeed> seeds = ui.state.presentSeeds();
   if (mouse.menuSeed < seeds.size()) {
     ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);

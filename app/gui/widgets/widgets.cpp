@@ -18,6 +18,42 @@ const Action* actionOf(const Ui& ui, std::string_view line) {
   return ui.actions.find(parseCommand(line).action);
 }
 
+/// About as large as the words will be.
+ImVec2 tooltipSize(const Ui& ui, std::string_view title, std::string_view text, float wrap,
+                   ImVec2 padding) {
+  const auto sizeOf = [&](std::string_view words, ImFont* font) {
+    if (words.empty()) return ImVec2(0, 0);
+    ImGui::PushFont(font);
+    const ImVec2 size = ImGui::CalcTextSize(words.data(), words.data() + words.size(), false, wrap);
+    ImGui::PopFont();
+    return ImVec2(size.x, size.y + ImGui::GetStyle().ItemSpacing.y);
+  };
+  const ImVec2 head = sizeOf(title, ui.theme.strong), body = sizeOf(text, ImGui::GetFont());
+  return {std::max(head.x, body.x) + 2 * padding.x, head.y + body.y + 2 * padding.y};
+}
+
+/// Beside what it explains: below or above the last widget and within the width of its panel where
+/// that is wide enough, to the right of a menu.
+void placeTooltip(const Ui& ui, ImVec2 size) {
+  const ImGuiWindow& window = *GImGui->CurrentWindow;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float gap = ui.px(6);
+  const bool menu = (window.Flags & (ImGuiWindowFlags_ChildMenu | ImGuiWindowFlags_Popup)) != 0;
+  ImVec2 place(low.x, high.y + gap);
+  if (menu) {
+    place = {window.Pos.x + window.Size.x + gap, low.y};
+    if (place.x + size.x > screen.x) place.x = window.Pos.x - size.x - gap;
+  } else {
+    const bool inPanel = size.x <= window.Size.x;
+    const float right = inPanel ? window.Pos.x + window.Size.x : screen.x;
+    place.x = std::min(place.x, right - size.x);
+    if (place.y + size.y > screen.y) place.y = low.y - size.y - gap;
+  }
+  ImGui::SetNextWindowPos({std::max(0.0f, std::round(std::min(place.x, screen.x - size.x))),
+                           std::max(0.0f, std::round(std::min(place.y, screen.y - size.y)))});
+}
+
 /// Title with key, help and, where it cannot run, the reason.
 void actionTooltip(const Ui& ui, std::string_view line, const std::string& reason) {
   const Action* action = actionOf(ui, line);
@@ -53,9 +89,15 @@ void tooltip(const Ui& ui, std::string_view label, std::string_view title, std::
   memory.hoveredSeen = true;
   const double rested = ImGui::GetTime() - memory.hoveredSince;
   if (rested < kTooltipDelay) return ui.wakeIn(kTooltipDelay - rested);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(8)));
+  const ImVec2 padding(ui.px(10), ui.px(8));
+  const float wrap = std::min(ui.px(320), ImGui::GetIO().DisplaySize.x - 2 * padding.x - ui.px(8));
+  placeTooltip(ui, tooltipSize(ui, title, text, wrap, padding));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ui.px(320));
+  ui.probe.rectangle("tooltip", ImGui::GetWindowPos(),
+                     {ImGui::GetWindowPos().x + ImGui::GetWindowSize().x,
+                      ImGui::GetWindowPos().y + ImGui::GetWindowSize().y});
+  ImGui::PushTextWrapPos(padding.x + wrap);
   if (!title.empty()) {
     ImGui::PushFont(ui.theme.strong);
     ImGui::TextUnformatted(title.data(), title.data() + title.size());
@@ -91,6 +133,19 @@ void textButton(const Ui& ui, const char* words, std::string_view line, ImVec2 s
   ui.probe.item(line);
   actionTooltip(ui, line, reason);
   if (clicked) ui.run(line);
+}
+
+bool beginMenu(const Ui& ui, const char* name, bool enabled) {
+  if (!ImGui::BeginMenu(name, enabled)) {
+    ui.probe.item(std::string("menu/") + name);
+    return false;
+  }
+  // As high as its entries want it, where the screen leaves less.
+  const ImGuiWindow& body = *GImGui->CurrentWindow;
+  const float wanted = body.ContentSizeIdeal.y + 2 * body.WindowPadding.y;
+  ui.probe.rectangle(std::string("menu-body/") + name, body.Pos,
+                     {body.Pos.x + body.Size.x, body.Pos.y + std::max(body.Size.y, wanted)});
+  return true;
 }
 
 void actionMenuItem(const Ui& ui, std::string_view line, const std::string& title) {

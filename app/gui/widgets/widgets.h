@@ -20,6 +20,10 @@ void iconButton(const Ui& ui, Icon icon, std::string_view line, ImVec2 size);
 /// A button with words that runs `line`.
 void textButton(const Ui& ui, const char* words, std::string_view line, ImVec2 size = {0, 0});
 
+/// A menu, in the bar or in another one, noted as "menu/NAME", and as "menu-body/NAME" when it is
+/// open; to be ended by ImGui::EndMenu() then.
+bool beginMenu(const Ui& ui, const char* name, bool enabled = true);
+
 /// A menu entry for `line` with its key, tick and reason; `title` "" takes the action's own.
 void actionMenuItem(const Ui& ui, std::string_view line, const std::string& title = "");
 
@@ -43,8 +47,10 @@ struct BarSlider {
   std::function<void(double fraction, bool dragging)> moved;
   /// Called with what was typed after Ctrl+click or Enter; none: cannot be typed into.
   std::function<void(const std::string&)> typed;
-  /// Called with -1 or 1 for the arrow keys while it has the keyboard; may be empty.
+  /// Called with the steps that arrow keys ask for while it has the keyboard; may be empty.
   std::function<void(int)> nudged = {};
+  /// Called on a double click; may be empty.
+  std::function<void()> reset = {};
 };
 
 /// A horizontal bar that fills up to the value, which stands on it.

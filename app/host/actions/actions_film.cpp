@@ -110,6 +110,10 @@ void addFilmActions(ActionRegistry& registry) {
                 .arguments = {},
                 .refusal = {},
                 .run = [](AppState& state, const Arguments&) { state.film.close(); }});
+  constexpr std::pair<const char*, const char*> kKeys[] = {
+      {"Space", "film-play"},           {"Right", "film-step"},  {"Left", "film-step -1"},
+      {"Alt+Right", "film-next-event"}, {"Home", "film-seek 0"}, {"Esc", "film-close"}};
+  for (const auto& [key, line] : kKeys) registry.bind(key, line, KeyPlace::HandleFilm);
 }
 
 }  // namespace chartflood

@@ -78,10 +78,10 @@ void addChoosing(ActionRegistry& registry) {
            {{"which", ArgumentType::Choice, "which one", true, {"next", "previous", "none"}}},
        .refusal = needsSeeds,
        .run = [](AppState& state, const Arguments& a) { chooseSeed(state, a.text("which")); }});
-  registry.bindInSeedsTool("Tab", "choose-seed next");
-  registry.bindInSeedsTool("]", "choose-seed next");
-  registry.bindInSeedsTool("Shift+Tab", "choose-seed previous");
-  registry.bindInSeedsTool("[", "choose-seed previous");
+  registry.bind("Tab", "choose-seed next", KeyPlace::SeedsTool);
+  registry.bind("]", "choose-seed next", KeyPlace::SeedsTool);
+  registry.bind("Shift+Tab", "choose-seed previous", KeyPlace::SeedsTool);
+  registry.bind("[", "choose-seed previous", KeyPlace::SeedsTool);
 }
 
 void addMoving(ActionRegistry& registry) {
@@ -101,8 +101,8 @@ void addMoving(ActionRegistry& registry) {
       {"Left", "left"}, {"Right", "right"}, {"Up", "up"}, {"Down", "down"}};
   for (const auto& [key, way] : kWays) {
     const std::string line = std::string("nudge-seed ") + way;
-    registry.bindInSeedsTool(key, line);
-    registry.bindInSeedsTool(std::string("Shift+") + key, line + " steps=10");
+    registry.bind(key, line, KeyPlace::SeedsTool);
+    registry.bind(std::string("Shift+") + key, line + " steps=10", KeyPlace::SeedsTool);
   }
   registry.bind("Insert", "add-seed-in-view");
   registry.bind("Ctrl+L", "lock-seed");

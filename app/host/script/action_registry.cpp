@@ -15,21 +15,13 @@ void ActionRegistry::add(Action action) {
   actions_.push_back(std::move(action));
 }
 
-void ActionRegistry::bind(std::string_view chord, std::string_view line) {
-  addBinding(chord, line, false);
-}
-
-void ActionRegistry::bindInSeedsTool(std::string_view chord, std::string_view line) {
-  addBinding(chord, line, true);
-}
-
-void ActionRegistry::addBinding(std::string_view chord, std::string_view line, bool seedsTool) {
+void ActionRegistry::bind(std::string_view chord, std::string_view line, KeyPlace place) {
   const Chord parsed = parseChord(chord);
-  CF_CHECK(findBinding(parsed, seedsTool) == nullptr);
+  CF_CHECK(findBinding(parsed, place) == nullptr);
   const Command command = parseCommand(line);
   // Throws when the line's arguments are not the action's.
   const Arguments checked(command.action, at(command.action).arguments, command.arguments);
-  bindings_.push_back({parsed, std::string(line), seedsTool});
+  bindings_.push_back({parsed, std::string(line), place});
 }
 
 const Action* ActionRegistry::find(std::string_view id) const {
@@ -51,9 +43,9 @@ const Action& ActionRegistry::at(std::string_view id) const {
                    (nearest.empty() ? "." : "; did you mean '" + nearest + "'?"));
 }
 
-const Binding* ActionRegistry::findBinding(const Chord& chord, bool seedsTool) const {
+const Binding* ActionRegistry::findBinding(const Chord& chord, KeyPlace place) const {
   const auto found = std::find_if(bindings_.begin(), bindings_.end(), [&](const Binding& b) {
-    return b.chord == chord && b.seedsTool == seedsTool;
+    return b.chord == chord && b.place == place;
   });
   return found == bindings_.end() ? nullptr : &*found;
 }

@@ -11,11 +11,18 @@
 
 namespace chartflood {
 
+/// Where a key means something of its own, before any other meaning of the same key.
+enum class KeyPlace {
+  Anywhere,
+  SeedsTool,   ///< while that tool is chosen
+  HandleFilm,  ///< while that film lies over the model
+};
+
 /// A key and the script line it runs.
 struct Binding {
   Chord chord;
   std::string line;
-  bool seedsTool = false;  ///< acts while that tool is chosen, before any other of the same key
+  KeyPlace place = KeyPlace::Anywhere;
 };
 
 class ActionRegistry {
@@ -23,16 +30,14 @@ class ActionRegistry {
   /// Ids must be unique.
   void add(Action action);
   /// Binds a key; the line's action must have been added and the key be free.
-  void bind(std::string_view chord, std::string_view line);
-  /// The same for the seeds tool alone; elsewhere the key may mean something else.
-  void bindInSeedsTool(std::string_view chord, std::string_view line);
+  void bind(std::string_view chord, std::string_view line, KeyPlace place = KeyPlace::Anywhere);
 
   std::span<const Action> actions() const { return actions_; }
   std::span<const Binding> bindings() const { return bindings_; }
   /// By its id or former id; nullptr for others.
   const Action* find(std::string_view id) const;
-  /// The binding of a key, or nullptr.
-  const Binding* findBinding(const Chord& chord, bool seedsTool = false) const;
+  /// The binding of a key at a place, or nullptr.
+  const Binding* findBinding(const Chord& chord, KeyPlace place = KeyPlace::Anywhere) const;
   /// "Ctrl+Z" for the first key bound to this very line, "" if none is.
   std::string shortcut(std::string_view line) const;
 
@@ -47,7 +52,6 @@ class ActionRegistry {
 
  private:
   const Action& at(std::string_view id) const;
-  void addBinding(std::string_view chord, std::string_view line, bool seedsTool);
 
   std::vector<Action> actions_;
   std::vector<Binding> bindings_;
