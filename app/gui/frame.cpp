@@ -234,6 +234,7 @@ void Frame::draw(SceneSource* source, UvSource* uvSource, PreviewSource* preview
   presetNameQuestion(ui);
   actionPalette(ui);
   ui.wakeIn(state_.keeper.dueIn());
+  if (state_.keepsLater()) ui.wakeIn(0.5);
   if (state_.methodRuns.running()) ui.wakeIn(0.1);  // its bar moves
   if (!memory_.hoveredSeen) memory_.hovered.clear();
   if (state_.pointedChart != memory_.pointed) {

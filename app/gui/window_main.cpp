@@ -108,6 +108,7 @@ int runWindow(const WindowOptions& options) {
   loadPreferences(state);
   const PreferredByOptions preferred(state.preferences, options);
   state.keepPreferences = [&] { savePreferences(state, preferred); };
+  state.preferencesAreKept();
   state.keeper.recovery.begin(stateFolder());
   {
     Window window(

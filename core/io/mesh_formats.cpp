@@ -88,12 +88,18 @@ std::string writeGlb(const ChartedMesh& charted, const MeshWriteOptions& options
 }
 
 constexpr std::array<MeshFormat, 20> kFormats = {{
-    {"obj", "Wavefront OBJ", readObj, fitsObj, writeObj},
-    {"ply", "Stanford PLY", readPly, fitsPly, writePly},
+    {"obj", "Wavefront OBJ", readObj, fitsObj, writeObj,
+     "Vertices and faces of the file as they are, polygons included; texture coordinates, charts "
+     "as "
+     "groups."},
+    {"ply", "Stanford PLY", readPly, fitsPly, writePly,
+     "Chart and texture coordinates of each face; vertices repeated at seams behind the file's "
+     "own."},
     {"off", "Object File Format", readOff, fitsOff},
     {"stl", "Stereolithography", readStl, fitsStl},
     {"gltf", "glTF", readGltf, fitsGltf},
-    {"glb", "glTF binary", readGltf, fitsGlb, writeGlb},
+    {"glb", "glTF binary", readGltf, fitsGlb, writeGlb,
+     "For engines: vertices split at seams, texture coordinates, the chart of each vertex."},
     {"3mf", "3D Manufacturing Format", read3mf},
     {"fbx", "Autodesk FBX"},
     {"dae", "Collada"},

@@ -48,6 +48,8 @@ struct MeshFormat {
   FormatFit (*fit)(const Source&) = nullptr;
   /// The content of a file. Null: it is not written.
   std::string (*write)(const ChartedMesh&, const MeshWriteOptions&) = nullptr;
+  /// What a written file holds, as a sentence for whoever chooses the format.
+  const char* keeps = "";
 
   FormatReader reader() const {
     return read == nullptr ? FormatReader::Library : FormatReader::Own;

@@ -76,6 +76,41 @@ TEST(Registry, EveryBindingRunsAnActionAndEveryActionHasHelp) {
   EXPECT_EQ(registry.shortcut("undo"), "Ctrl+Z");
 }
 
+TEST(Preferences, AreWrittenSoonAfterTheyChange) {
+  const ActionRegistry registry = makeActionRegistry();
+  AppState state(Session::Worker::Inline);
+  int written = 0;
+  state.keepPreferences = [&] { ++written; };
+  state.perform(registry, "invert-zoom on");
+  state.update(2);
+  state.update(2);
+  EXPECT_EQ(written, 0) << "they are not kept yet";
+  state.preferencesAreKept();
+  state.update(2);
+  EXPECT_EQ(written, 0);
+  state.perform(registry, "invert-zoom off");
+  state.update(0.1);
+  state.update(0.1);
+  EXPECT_EQ(written, 0) << "more may follow";
+  state.update(2);
+  EXPECT_EQ(written, 1);
+  state.update(2);
+  EXPECT_EQ(written, 1);
+}
+
+TEST(Notices, ErrorsGoByAndAreCounted) {
+  Notices notices;
+  notices.add(Notice::Kind::Error, "It failed.");
+  notices.update(0);
+  notices.update(Notices::kToastSeconds + 1);
+  EXPECT_EQ(notices.toasts().size(), 1u) << "longer than others";
+  notices.update(Notices::kErrorSeconds);
+  EXPECT_TRUE(notices.toasts().empty());
+  EXPECT_EQ(notices.missedErrors(), 1u);
+  notices.forgetMissed();
+  EXPECT_EQ(notices.missedErrors(), 0u);
+}
+
 TEST(Registry, NamesTheNearestActionAndTheWrongArgument) {
   const ActionRegistry registry = makeActionRegistry();
   AppState state(Session::Worker::Inline);

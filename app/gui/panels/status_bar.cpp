@@ -76,6 +76,17 @@ void workState(const Ui& ui) {
   ImGui::TextUnformatted(words);
 }
 
+/// A way to sentences that went by unread.
+void missedErrors(const Ui& ui) {
+  if (ui.state.panels.log) ui.state.notices.forgetMissed();
+  const std::size_t missed = ui.state.notices.missedErrors();
+  if (missed == 0) return;
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.error);
+  textButton(ui, (grouped(missed) + (missed == 1 ? " error" : " errors")).c_str(), "log");
+  ImGui::PopStyleColor();
+}
+
 /// Chart of a face as shown in the half under the mouse, kNone when it is dry.
 Index shownChart(const AppState& state, Index face) {
   const Compare& compare = state.compare;
@@ -155,6 +166,7 @@ std::string figures(const AppState& state) {
 void statusBar(const Ui& ui) {
   ImGui::AlignTextToFramePadding();
   workState(ui);
+  missedErrors(ui);
   const std::string right = figures(ui.state);
   const float rightWidth = ImGui::CalcTextSize(right.c_str()).x;
   const float end = ImGui::GetWindowContentRegionMax().x;

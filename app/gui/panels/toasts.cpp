@@ -28,11 +28,35 @@ ImU32 kindColor(const Palette& palette, Notice::Kind kind) {
   return palette.accent;
 }
 
-/// Draws one toast below `top`; returns its height.
-float drawToast(const Ui& ui, std::size_t index, ImVec2 topRight, float width) {
+/// The text with words that are wider than a line, as paths are, cut to their ends.
+std::string withEndsOfWords(const std::string& text, float width) {
+  std::string fitted;
+  std::size_t from = 0;
+  while (from < text.size()) {
+    const std::size_t to = std::min(text.find(' ', from), text.size());
+    std::string word = text.substr(from, to - from);
+    if (ImGui::CalcTextSize(word.c_str()).x > width) {
+      std::size_t cut = 0;
+      const auto tail = [&] { return "\u2026" + word.substr(cut); };
+      while (cut < word.size() && ImGui::CalcTextSize(tail().c_str()).x > width) {
+        // Not within a letter.
+        do ++cut;
+        while (cut < word.size() && (static_cast<unsigned char>(word[cut]) & 0xC0) == 0x80);
+      }
+      word = tail();
+    }
+    fitted += word;
+    if (to < text.size()) fitted += ' ';
+    from = to + 1;
+  }
+  return fitted;
+}
+
+/// Draws one toast above `bottomRight`; returns its height.
+float drawToast(const Ui& ui, std::size_t index, ImVec2 bottomRight, float width) {
   const Toast toast = ui.state.notices.toasts()[index];
   const std::string name = "toast " + std::to_string(index);
-  ImGui::SetNextWindowPos({topRight.x - width, topRight.y});
+  ImGui::SetNextWindowPos({bottomRight.x - width, bottomRight.y}, ImGuiCond_Always, {0, 1});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(5));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(14), ui.px(9)));
@@ -44,7 +68,8 @@ float drawToast(const Ui& ui, std::size_t index, ImVec2 topRight, float width) {
                                             ImDrawFlags_RoundCornersLeft);
   const float side = ui.px(24);
   ImGui::PushTextWrapPos(width - side - ui.px(16));
-  ImGui::TextUnformatted(toast.text.c_str());
+  const float words = width - side - ui.px(16) - ImGui::GetCursorPosX();
+  ImGui::TextUnformatted(withEndsOfWords(toast.text, words).c_str());
   ImGui::PopTextWrapPos();
   ImGui::SetCursorPos({width - side - ui.px(8), ui.px(6)});
   ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
@@ -54,23 +79,19 @@ float drawToast(const Ui& ui, std::size_t index, ImVec2 topRight, float width) {
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
-  if (toast.kind != Notice::Kind::Error)
-    ui.wakeIn(std::max(0.0, Notices::kToastSeconds - toast.age));
+  ui.wakeIn(std::max(0.0, Notices::lasting(toast.kind) - toast.age));
   return size.y;
 }
 
 }  // namespace
 
 void toasts(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax) {
-  const float margin = ui.px(12);
-  const float most = areaMax.x - areaMin.x - 2 * margin;
-  // Beside the switch of tools where there is room for words, else below it.
-  const float room = most - margin - ui.px(216);
-  const bool beside = room >= ui.px(240);
-  const float width = std::min(ui.px(380), beside ? room : most);
-  float y = areaMin.y + (beside ? margin : ui.px(48));
-  for (std::size_t i = 0; i < ui.state.notices.toasts().size(); ++i) {
-    y += drawToast(ui, i, {areaMax.x - margin, y}, width) + ui.px(6);
+  // In the corner above the line that says what the mouse does, the newest lowest.
+  const float margin = ui.px(12), hints = ui.px(34);
+  const float width = std::min(ui.px(380), areaMax.x - areaMin.x - 2 * margin);
+  float y = areaMax.y - hints;
+  for (std::size_t i = ui.state.notices.toasts().size(); i-- > 0;) {
+    y -= drawToast(ui, i, {areaMax.x - margin, y}, width) + ui.px(6);
   }
 }
 

@@ -50,6 +50,7 @@ void SceneView::takeMesh(const AppState& state, const Results& results) {
   simpleOf_.reset();
   simpleLayout_.reset();
   slow_ = false;
+  shown_.reset();  // title and figures are the new model's already
   ++content_;
 }
 

@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <system_error>
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include "app/gui/widgets/widgets.h"
+#include "app/host/files/export_files.h"
 #include "app/host/script/command.h"
 #include "app/host/settings/standard_paths.h"
 #include "core/base/text.h"
@@ -18,11 +20,28 @@ namespace chartflood {
 
 namespace {
 
-/// What a chosen file is for: the action that takes it, and how a new name ends.
+/// A format that can be written, and what it keeps.
+struct WrittenFormat {
+  std::string ending;  ///< ".obj"
+  std::string title, keeps;
+};
+
+/// What a chosen file is for: the action that takes it, how a new name begins to end, and the
+/// formats to choose from.
 struct Purpose {
   const char* action;
-  const char* nameEnd;
+  std::string nameEnd;
+  std::vector<WrittenFormat> formats = {};
 };
+
+std::vector<WrittenFormat> meshesWritten() {
+  std::vector<WrittenFormat> formats;
+  for (const MeshFormat& format : meshFormats()) {
+    if (format.write == nullptr) continue;
+    formats.push_back({std::string(".") + format.extension, format.title, format.keeps});
+  }
+  return formats;
+}
 
 Purpose purposeOf(PanelState::Browse browse) {
   using Browse = PanelState::Browse;
@@ -30,20 +49,35 @@ Purpose purposeOf(PanelState::Browse browse) {
   case Browse::SaveSession:
     return {"save-session", kSessionEnding};
   case Browse::SaveMesh:
-    return {"export-mesh", "_uv.obj"};
+    return {"export-mesh", "_uv" + meshesWritten().front().ending, meshesWritten()};
   case Browse::SaveUv:
-    return {"export-uv", "_uv.png"};
+    return {"export-uv",
+            "_uv.png",
+            {{".png", "Picture (PNG)", "As many pixels as the texture has."},
+             {".svg", "Drawing (SVG)", "Outlines that stay sharp at any size."}}};
   case Browse::SaveSeams:
-    return {"export-seams", "_seams.obj"};
+    return {"export-seams",
+            "_seams.obj",
+            {{".obj", "Wavefront OBJ", "Borders between charts and cuts as lines."}}};
   case Browse::SaveLabels:
-    return {"export-labels", "_labels.txt"};
+    return {"export-labels",
+            "_labels.txt",
+            {{".txt", "Text", "The chart of each face of the file, one number a line."}}};
   case Browse::SaveReport:
-    return {"export-report", "_report.json"};
+    return {"export-report", "_report.json", {{".json", "JSON", "Parameters and all figures."}}};
   case Browse::Open:
   case Browse::Nothing:
     break;
   }
   return {"open", ""};
+}
+
+const WrittenFormat* formatOf(const std::vector<WrittenFormat>& formats, const std::string& name) {
+  const std::string ending = lowerCase(std::filesystem::path(name).extension().string());
+  const auto found = std::find_if(formats.begin(), formats.end(), [&](const WrittenFormat& format) {
+    return format.ending == ending;
+  });
+  return found == formats.end() ? nullptr : &*found;
 }
 
 bool isMesh(const std::string& name) {
@@ -74,6 +108,11 @@ void FileBrowser::begin(const Ui& ui) {
   name_.clear();
   if (saving()) name_ = ui.state.modelName() + purposeOf(purpose_).nameEnd;
   std::filesystem::path start = folder_;
+  // Results belong beside what they are made from.
+  if (saving() && ui.state.hasMesh() && ui.state.modelIsFile()) {
+    const std::filesystem::path model = ui.state.results().mesh->input().file;
+    start = std::filesystem::absolute(model).parent_path();
+  }
   const std::vector<std::string>& recent = ui.state.preferences.recentFiles;
   if (start.empty() && !recent.empty()) start = std::filesystem::path(recent.front()).parent_path();
   std::error_code error;
@@ -91,7 +130,9 @@ void FileBrowser::enter(const std::filesystem::path& folder) {
   folder_ = real;
   folderText_ = real.string();
   problem_.clear();
+  selected_.clear();
   if (!saving()) name_.clear();
+  focusName_ = true;
   list();
 }
 
@@ -121,10 +162,21 @@ bool FileBrowser::matches(const Entry& entry) const {
          lowerCase(entry.name).find(lowerCase(name_)) != std::string::npos;
 }
 
+/// The window stays open where that failed, with the reason.
 void FileBrowser::choose(const Ui& ui, const std::filesystem::path& file) {
-  ui.state.panels.browse = PanelState::Browse::Nothing;
-  const std::string name = quotedArgument(file.string());
-  ui.run(std::string(purposeOf(purpose_).action) + " file=" + name);
+  const std::string model =
+      ui.state.hasMesh() && ui.state.modelIsFile() ? ui.state.results().mesh->input().file : "";
+  std::string line =
+      std::string(purposeOf(purpose_).action) + " file=" + quotedArgument(file.string());
+  // That it is the model itself was said before it was confirmed.
+  const bool session = purpose_ == PanelState::Browse::SaveSession;
+  if (saving() && !session && isSameFile(file, model)) line += " overwrite=on";
+  if (ui.state.perform(ui.actions, line)) {
+    ui.state.panels.browse = PanelState::Browse::Nothing;
+  } else if (!ui.state.notices.toasts().empty()) {
+    problem_ = ui.state.notices.toasts().back().text;
+    confirmed_ = false;
+  }
 }
 
 void FileBrowser::activate(const Ui& ui, const Entry& entry) {
@@ -135,19 +187,15 @@ void FileBrowser::activate(const Ui& ui, const Entry& entry) {
 }
 
 void FileBrowser::accept(const Ui& ui) {
+  if (saving()) return save(ui);
   std::error_code error;
   const std::filesystem::path typed = folder_ / std::filesystem::path(name_);
   if (!name_.empty() && std::filesystem::is_directory(typed, error)) return enter(typed);
-  if (saving()) {
-    if (name_.empty()) return;
-    if (std::filesystem::exists(typed, error) && !confirmed_) {
-      confirmed_ = true;
-      problem_ = name_ + " exists. Press Save again to replace it.";
-      return;
-    }
-    return choose(ui, typed);
-  }
   if (!name_.empty() && std::filesystem::is_regular_file(typed, error)) return choose(ui, typed);
+  const auto chosen = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return entry.name == selected_ && matches(entry);
+  });
+  if (chosen != entries_.end()) return activate(ui, *chosen);
   const auto match = std::find_if(entries_.begin(), entries_.end(),
                                   [&](const Entry& entry) { return matches(entry); });
   if (name_.empty() || match == entries_.end()) {
@@ -156,6 +204,87 @@ void FileBrowser::accept(const Ui& ui) {
     return;
   }
   activate(ui, *match);
+}
+
+void FileBrowser::save(const Ui& ui) {
+  if (name_.empty()) return;
+  std::error_code error;
+  std::filesystem::path typed = folder_ / std::filesystem::path(name_);
+  if (std::filesystem::is_directory(typed, error)) return enter(typed);
+  const std::vector<WrittenFormat> formats = purposeOf(purpose_).formats;
+  if (!formats.empty() && typed.extension().empty()) {
+    name_ += formats.front().ending;
+    typed += formats.front().ending;
+  }
+  if (!formats.empty() && formatOf(formats, name_) == nullptr) {
+    std::string endings;
+    for (const WrittenFormat& format : formats) {
+      endings += (endings.empty() ? "" : ", ") + format.ending;
+    }
+    problem_ = "A name ends in " + endings + " here: choose a format.";
+    return;
+  }
+  if (std::filesystem::exists(typed, error) && !confirmed_) {
+    confirmed_ = true;
+    const std::string model = ui.state.hasMesh() ? ui.state.results().mesh->input().file : "";
+    const bool over = isSameFile(typed, model);
+    problem_ = name_ +
+               (over ? " is the model itself, and not all of it is written. " : " exists. ") +
+               "Press Save again to replace it.";
+    return;
+  }
+  choose(ui, typed);
+}
+
+/// Up and Down go through the entries while the name has the keyboard.
+void FileBrowser::moveSelection() {
+  const int step = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) ? 1
+                   : ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow)) ? -1
+                                                                               : 0;
+  if (step == 0) return;
+  ImGui::NavMoveRequestCancel();  // the name keeps the keyboard
+  std::vector<std::string> names;
+  for (const Entry& entry : entries_) {
+    if (matches(entry)) names.push_back(entry.name);
+  }
+  if (names.empty()) return;
+  const auto found = std::find(names.begin(), names.end(), selected_);
+  const auto last = static_cast<std::ptrdiff_t>(names.size()) - 1;
+  const std::ptrdiff_t place =
+      found == names.end() ? (step > 0 ? 0 : last) : found - names.begin() + step;
+  selected_ = names[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(place, 0, last))];
+  if (saving()) {
+    ImGui::ClearActiveID();  // a field that is typed into keeps its own words
+    name_ = selected_;
+    focusName_ = true;
+  }
+  showSelected_ = true;
+}
+
+/// The formats as buttons, the chosen one marked, and what it keeps.
+void FileBrowser::drawFormats(const Ui& ui) {
+  const std::vector<WrittenFormat> formats = purposeOf(purpose_).formats;
+  if (formats.empty()) return;
+  const WrittenFormat* chosen = formatOf(formats, name_);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Format");
+  for (const WrittenFormat& format : formats) {
+    ImGui::SameLine();
+    const bool marked = &format == chosen;
+    if (marked) ImGui::PushStyleColor(ImGuiCol_Button, ui.theme.palette.accentSoft);
+    if (ImGui::Button(format.title.c_str())) {
+      name_ = std::filesystem::path(name_).replace_extension(format.ending).string();
+      confirmed_ = false;
+      problem_.clear();
+    }
+    if (marked) ImGui::PopStyleColor();
+    ui.probe.item("browser-format/" + format.ending);
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(chosen == nullptr ? "Choose a format." : chosen->keeps.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
 }
 
 void FileBrowser::drawRecent(const Ui& ui) {
@@ -196,9 +325,14 @@ void FileBrowser::drawEntries(const Ui& ui) {
     ImGui::TableNextColumn();
     const float height = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool chosen = ImGui::Selectable(("##" + entry.name).c_str(), name_ == entry.name,
+    const bool isSelected = selected_ == entry.name;
+    const bool chosen = ImGui::Selectable(("##" + entry.name).c_str(), isSelected,
                                           ImGuiSelectableFlags_SpanAllColumns |
                                               ImGuiSelectableFlags_AllowDoubleClick);
+    if (isSelected && showSelected_) {
+      ImGui::SetScrollHereY();
+      showSelected_ = false;
+    }
     ui.probe.item("browser/" + entry.name);
     drawIcon(*ImGui::GetWindowDrawList(), entry.folder ? Icon::Folder : Icon::File,
              {at.x + height / 2, at.y + height / 2}, height * 0.8f, ui.theme.palette.dim);
@@ -207,11 +341,14 @@ void FileBrowser::drawEntries(const Ui& ui) {
     ImGui::TableNextColumn();
     if (!entry.folder) ImGui::TextUnformatted(sizeText(entry.bytes).c_str());
     if (!chosen) continue;
-    if (ImGui::IsMouseDoubleClicked(0) || !ImGui::GetIO().MouseReleased[0]) {
+    if (ImGui::IsMouseDoubleClicked(0)) {
       activate(ui, entry);
-    } else if (!entry.folder) {
-      name_ = entry.name;
+      continue;
     }
+    selected_ = entry.name;
+    if (saving() && !entry.folder) name_ = entry.name;
+    confirmed_ = false;
+    focusName_ = true;  // typing and Enter go on from here
   }
   ImGui::EndTable();
 }
@@ -225,10 +362,12 @@ void FileBrowser::drawName(const Ui& ui) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * button - ui.px(16));
   if (focusName_) ImGui::SetKeyboardFocusHere();
   focusName_ = false;
+  moveSelection();
   const bool entered = ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemEdited()) {
     confirmed_ = false;
     problem_.clear();
+    selected_.clear();
   }
   ui.probe.item("browser-name");
   ImGui::SameLine();
@@ -239,7 +378,8 @@ void FileBrowser::drawName(const Ui& ui) {
   ImGui::SameLine();
   textButton(ui, "Cancel", "close-browser", {button, 0});
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.warning);
-  ImGui::TextUnformatted(problem_.c_str());
+  fittedText(ui, problem_, ImGui::GetContentRegionAvail().x, ui.theme.palette.warning);
+  ui.probe.item("browser-problem");
   ImGui::PopStyleColor();
   if (entered || pressed) accept(ui);
 }
@@ -277,7 +417,8 @@ void FileBrowser::draw(const Ui& ui) {
   const char* title = saving() ? "Save as###browser" : "Open a model or session###browser";
   ImGui::Begin(title, &open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
   drawFolder(ui);
-  const float bottom = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
+  float bottom = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
+  if (!purposeOf(purpose_).formats.empty()) bottom *= 2;
   ImGui::BeginChild("middle", {0, -bottom});
   drawPlaces(ui, ui.px(150));
   ImGui::SameLine();
@@ -285,6 +426,7 @@ void FileBrowser::draw(const Ui& ui) {
   drawEntries(ui);
   ImGui::EndChild();
   ImGui::EndChild();
+  drawFormats(ui);
   drawName(ui);
   const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   ImGui::End();

@@ -43,8 +43,10 @@ void Notices::update(double seconds) {
   for (Toast& toast : toasts_) {
     if (!std::exchange(toast.fresh, false)) toast.age += seconds;
   }
-  std::erase_if(toasts_, [](const Toast& toast) {
-    return toast.kind != Notice::Kind::Error && toast.age > kToastSeconds;
+  std::erase_if(toasts_, [this](const Toast& toast) {
+    const bool over = toast.age > lasting(toast.kind);
+    if (over && toast.kind == Notice::Kind::Error) ++missedErrors_;
+    return over;
   });
   std::vector<Line> arrived;
   {
@@ -56,11 +58,6 @@ void Notices::update(double seconds) {
 
 void Notices::close(std::size_t toast) {
   if (toast < toasts_.size()) toasts_.erase(toasts_.begin() + static_cast<std::ptrdiff_t>(toast));
-}
-
-bool Notices::fading() const {
-  return std::any_of(toasts_.begin(), toasts_.end(),
-                     [](const Toast& toast) { return toast.kind != Notice::Kind::Error; });
 }
 
 void Notices::keep(Line line) {

@@ -11,7 +11,7 @@
 
 namespace chartflood {
 
-/// A sentence over the view. Errors stay until closed.
+/// A sentence over the view.
 struct Toast {
   Notice::Kind kind = Notice::Kind::Info;
   std::string text;
@@ -24,6 +24,7 @@ class Notices {
   static constexpr std::size_t kMostToasts = 3;
   static constexpr std::size_t kMostLines = 2000;
   static constexpr double kToastSeconds = 5;
+  static constexpr double kErrorSeconds = 15;
 
   Notices();
   ~Notices();
@@ -37,8 +38,13 @@ class Notices {
   void close(std::size_t toast);
 
   const std::vector<Toast>& toasts() const { return toasts_; }
-  /// True while a toast waits to go away by itself.
-  bool fading() const;
+  /// Seconds after which a sentence goes away by itself.
+  static double lasting(Notice::Kind kind) {
+    return kind == Notice::Kind::Error ? kErrorSeconds : kToastSeconds;
+  }
+  /// Errors whose sentences went away before they were closed or the log was looked at.
+  std::size_t missedErrors() const { return missedErrors_; }
+  void forgetMissed() { missedErrors_ = 0; }
 
   struct Line {
     LogLevel level = LogLevel::Info;
@@ -54,6 +60,7 @@ class Notices {
   std::mutex mutex_;           ///< guards arrived_
   std::vector<Line> arrived_;  ///< logged since the last update
   int sink_ = 0;
+  std::size_t missedErrors_ = 0;
 };
 
 }  // namespace chartflood

@@ -42,7 +42,26 @@ void AppState::update(double seconds) {
   movePlayback(std::min(seconds, kLongestPlayedSeconds));
   finishFirstFlood();
   keepWork(seconds);
+  keepLikes(seconds);
 }
+
+/// What the user likes is on disk soon after it was changed: no end of the program loses it.
+void AppState::keepLikes(double seconds) {
+  constexpr double kQuietSeconds = 1;
+  if (keptPreferences_ && !panels.firstCard) preferences.firstCard = false;
+  if (preferences != seenPreferences_) {
+    seenPreferences_ = preferences;
+    preferencesAge_ = 0;
+    return;
+  }
+  if (preferences == keptPreferences_ || !keptPreferences_) return;
+  preferencesAge_ += seconds;
+  if (preferencesAge_ < kQuietSeconds) return;
+  keptPreferences_ = preferences;
+  keepPreferences();
+}
+
+void AppState::preferencesAreKept() { seenPreferences_ = keptPreferences_.emplace(preferences); }
 
 void AppState::movePlayback(double seconds) {
   const bool stopped = results_->stopReason != StopReason::NotStopped;
@@ -83,6 +102,8 @@ void AppState::takeNewMesh() {
   model_.checksum = results_->checksum;
   unknownInFile_.clear();
   unknownView_.clear();
+  // Only what could be read is worth to be offered again.
+  if (asked && !opening.session && modelIsFile()) rememberFile(preferences, opening.model.file);
   if (opening.session) return takeSession(opening);
   placeSeeds();
   takeHints();

@@ -233,6 +233,11 @@ class AppState {
   std::optional<UserPreset> deletedPreset;  ///< can be brought back
   /// Writes the preferences where they are kept; nothing where they are not.
   std::function<void()> keepPreferences = [] {};
+  /// Says that what is on disk is what the preferences are now: from here on they are written soon
+  /// after each change.
+  void preferencesAreKept();
+  /// True while changed preferences wait to be written; for loops that sleep.
+  bool keepsLater() const { return keptPreferences_ && *keptPreferences_ != preferences; }
   /// Seeds for the next model that is opened, as faces of its file.
   std::vector<Index> firstSeeds;
   std::filesystem::path firstHints;  ///< the same for painted edges; "": none
@@ -269,6 +274,7 @@ class AppState {
   void takeNewMesh();
   void takeSession(Opening& opening);
   void keepWork(double seconds);
+  void keepLikes(double seconds);
   void movePlayback(double seconds);
   std::string sessionTextFor(const std::filesystem::path& file) const;
   std::string sessionTextOf(const ViewSettings& shown, const std::filesystem::path& file) const;
@@ -286,6 +292,9 @@ class AppState {
   mutable CompareFigures figures_;  ///< of the results of `figuresVersion_`
   mutable std::uint64_t figuresVersion_ = 0;
   std::optional<CompareFigures> earlierFigures_;
+  Preferences seenPreferences_;                 ///< of the last update
+  double preferencesAge_ = 0;                   ///< seconds since they changed
+  std::optional<Preferences> keptPreferences_;  ///< on disk; nothing: they are not kept
   bool firstFlood_ = false;  ///< of a model is being played; its charts are to be finished then
   MomentCharts moment_;
   std::size_t recalled_ = kNoRound;  ///< round whose log the session was asked for

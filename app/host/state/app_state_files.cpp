@@ -105,7 +105,6 @@ void AppState::open(const std::filesystem::path& file) {
     return openSession(readPictureSource(file, model).session, {});
   }
   opening_.emplace().model.file = file;
-  rememberFile(preferences, file);
   session_.open(file);
 }
 
