@@ -27,7 +27,7 @@ int openWindow(const chartflood::Invocation& call) {
   options.triangles = call.triangles;
   options.preferences = call.preferences;
   options.render = call.picture.settings;
-  if (call.picture.camera.upIsZ) options.up = chartflood::UpAxis::Z;
+  options.up = call.picture.camera.up;
   options.orthographic = call.picture.camera.orthographic;
   return chartflood::runWindow(options);
 }

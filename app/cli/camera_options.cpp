@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "render/scene/first_view.h"
+
 namespace chartflood {
 
 namespace {
@@ -45,10 +47,10 @@ void placeEye(Camera& camera, const Mesh& mesh, const CameraOptions& options) {
 Camera cameraFromOptions(const Mesh& mesh, const CameraOptions& options, double aspect) {
   if (options.saved && !options.given) return *options.saved;
   Camera camera;
-  camera.up = options.upIsZ ? UpAxis::Z : UpAxis::Y;
+  camera.up = options.up.value_or(likelyUpAxis(mesh));
   camera.orthographic = options.orthographic;
   if (options.viewAngle) camera.fieldOfView = glm::radians(*options.viewAngle);
-  camera.look(StandardView::Oblique);
+  lookAtFirst(camera, mesh);
   const auto direction = sight(mesh, options);
   if (direction || options.viewUp) {
     camera.lookAlong(direction.value_or(camera.forward()), upOf(camera, options));

@@ -7,9 +7,9 @@
 
 namespace chartflood {
 
-/// Starts from an oblique view of the whole model in a picture of the given aspect (width over
-/// height), and takes over what the options say. Points of the options are in the model's units,
-/// the camera's in the mesh's normalised ones.
+/// Starts from a three-quarter view of the whole model, see lookAtFirst(), in a picture of the
+/// given aspect (width over height), and takes over what the options say. Points of the options are
+/// in the model's units, the camera's in the mesh's normalised ones.
 Camera cameraFromOptions(const Mesh& mesh, const CameraOptions& options, double aspect);
 
 }  // namespace chartflood

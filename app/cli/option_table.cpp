@@ -145,7 +145,9 @@ void addCamera(std::vector<OptionInfo>& table) {
   add("camera-azimuth-angle", "DEG", "Turn about the upright axis.");
   add("camera-elevation-angle", "DEG", "Turn up or down.");
   add("camera-orthographic", "", "Without perspective. Default: off.");
-  add("up", "+Y|+Z", "The axis of the model that stands upright. Default: +Y.");
+  add("up", "auto|+Y|+Z",
+      "The axis of the model that stands upright. Auto: as the format says or the model stands. "
+      "Default: auto.");
 }
 
 void addGeneral(std::vector<OptionInfo>& table) {

@@ -76,7 +76,7 @@ void readSessionInput(const Tokens& tokens, Invocation& call) {
   CameraOptions& camera = call.picture.camera;
   if (!view.frameWhenLoaded) camera.saved = view.camera;
   camera.orthographic = view.camera.orthographic;
-  camera.upIsZ = view.camera.up == UpAxis::Z;
+  camera.up = view.camera.up;
 }
 
 void readParameters(const Tokens& tokens, Invocation& call) {
@@ -296,8 +296,10 @@ void readCamera(const Tokens& tokens, CameraOptions& camera) {
     camera.orthographic = readSwitch("camera-orthographic", tokens.text("camera-orthographic"));
   }
   if (tokens.has("up")) {
-    const std::vector<std::string> axes{"+Y", "+Z"};
-    camera.upIsZ = readChoice("up", tokens.text("up"), axes) == "+Z";
+    const std::vector<std::string> axes{"auto", "+Y", "+Z"};
+    const std::string axis = readChoice("up", tokens.text("up"), axes);
+    camera.up.reset();
+    if (axis != "auto") camera.up = axis == "+Z" ? UpAxis::Z : UpAxis::Y;
   }
   for (const OptionInfo& row : optionTable()) {
     camera.given = camera.given || (row.group == "Camera" && tokens.has(row.name));

@@ -28,7 +28,7 @@ struct CameraOptions {
   double zoomFactor = 1;                           ///< > 0
   double azimuthAngle = 0, elevationAngle = 0;     ///< degrees
   bool orthographic = false;
-  bool upIsZ = false;
+  std::optional<UpAxis> up;     ///< nothing: the likely one of the model
   bool given = false;           ///< any of the above was written
   std::optional<Camera> saved;  ///< of the session; counts where nothing was written
 };

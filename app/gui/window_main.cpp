@@ -76,7 +76,7 @@ void beginSession(AppState& state, const WindowOptions& options) {
   ViewSettings view;
   applyViewValues(session.view, view, session.folder);
   view.render = options.render;
-  view.camera.up = options.up;
+  if (options.up) view.camera.up = *options.up;
   view.camera.orthographic = options.orthographic;
   for (auto& [name, value] : viewValues(view)) session.view[name] = value;
   state.openSession(std::move(session), options.sessionFile);
@@ -84,7 +84,7 @@ void beginSession(AppState& state, const WindowOptions& options) {
 
 void begin(AppState& state, const WindowOptions& options) {
   state.view.render = options.render;
-  state.view.camera.up = options.up;
+  state.firstUp = options.up;
   state.view.camera.look(StandardView::Oblique);
   state.view.camera.orthographic = options.orthographic;
   if (options.session) return beginSession(state, options);

@@ -26,7 +26,7 @@ struct WindowOptions {
   /// Names and values of preferences that hold this time.
   std::vector<std::pair<std::string, std::string>> preferences;
   RenderSettings render;
-  UpAxis up = UpAxis::Y;
+  std::optional<UpAxis> up;  ///< nothing: the likely one of the model
   bool orthographic = false;
 };
 

@@ -159,7 +159,7 @@ TEST(Options, OfTheCamera) {
   EXPECT_TRUE(camera.orthographic);
   EXPECT_EQ(camera.azimuthAngle, -30);
   EXPECT_EQ(camera.zoomFactor, 2);
-  EXPECT_TRUE(camera.upIsZ);
+  EXPECT_EQ(camera.up, UpAxis::Z);
 }
 
 TEST(Options, OfTheRun) {
@@ -221,7 +221,7 @@ TEST(OptionRefusal, OfValuesThatCannotBe) {
   EXPECT_THAT(refusal({"--camera-direction=0,0,0"}), HasSubstr("is no direction"));
   EXPECT_THAT(refusal({"--camera-view-angle=0"}), HasSubstr("from 1 to 170"));
   EXPECT_THAT(refusal({"--camera-zoom-factor=nan"}), HasSubstr("is not a number"));
-  EXPECT_THAT(refusal({"--up=X"}), HasSubstr("one of +Y, +Z"));
+  EXPECT_THAT(refusal({"--up=X"}), HasSubstr("one of auto, +Y, +Z"));
   EXPECT_THAT(refusal({"--verbose=loud"}), HasSubstr("quiet"));
   EXPECT_THAT(refusal({"--output=a.jpg"}), HasSubstr(".png"));
   EXPECT_THAT(refusal({"--report=a.txt"}), HasSubstr(".json"));

@@ -97,6 +97,7 @@ class SeedsTool : public testing::Test {
       const float t = static_cast<float>(i) / 6;
       ui_.moveTo({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
     }
+    ui_.frames(1);  // the state takes in what the last step did
   }
 
   HeadlessFrame ui_;

@@ -9,6 +9,7 @@
 #include "app/host/script/action_registry.h"
 #include "app/host/state/app_state.h"
 #include "core/base/error.h"
+#include "render/scene/first_view.h"
 
 namespace chartflood {
 
@@ -129,6 +130,7 @@ void addCamera(ActionRegistry& registry) {
                     [](AppState& state, const Arguments& a) {
                       state.view.camera.up = a.text("axis") == "z" ? UpAxis::Z : UpAxis::Y;
                       state.view.camera.look(StandardView::Oblique);
+                      if (state.hasMesh()) lookAtFirst(state.view.camera, *state.results().mesh);
                     },
                 .checked =
                     [](const AppState& state, const Arguments& a) {

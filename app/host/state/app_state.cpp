@@ -8,6 +8,7 @@
 #include "app/host/script/action_registry.h"
 #include "core/base/error.h"
 #include "core/base/failure.h"
+#include "render/scene/first_view.h"
 
 namespace chartflood {
 
@@ -98,6 +99,7 @@ void AppState::takeNewMesh() {
   Opening opening;
   opening.model.file = name;
   if (asked) opening = std::move(*std::exchange(opening_, std::nullopt));
+  const bool another = opening.model.file != model_.file || opening.model.sample != model_.sample;
   model_ = opening.model;
   model_.checksum = results_->checksum;
   unknownInFile_.clear();
@@ -105,6 +107,7 @@ void AppState::takeNewMesh() {
   // Only what could be read is worth to be offered again.
   if (asked && !opening.session && modelIsFile()) rememberFile(preferences, opening.model.file);
   if (opening.session) return takeSession(opening);
+  if (another) lookAtNewMesh();
   placeSeeds();
   takeHints();
   keeper.begin(session_.document(), {});
@@ -112,6 +115,16 @@ void AppState::takeNewMesh() {
     playback.playOneFlood();
     firstFlood_ = true;
   }
+}
+
+/// Upright and from where its shape is seen best.
+void AppState::lookAtNewMesh() {
+  const std::optional<UpAxis> asked = std::exchange(firstUp, std::nullopt);
+  view.camera.up = asked.value_or(likelyUpAxis(*results_->mesh));
+  lookAtFirst(view.camera, *results_->mesh);
+  if (asked || view.camera.up == UpAxis::Y) return;
+  notices.add(Notice::Kind::Info, "The model seems to stand along Z, which is shown upright now; "
+                                  "View > Camera > Upright axis turns it.");
 }
 
 /// What has been watched once is looked at finished, unless the user has taken it over.

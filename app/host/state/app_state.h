@@ -240,6 +240,7 @@ class AppState {
   bool keepsLater() const { return keptPreferences_ && *keptPreferences_ != preferences; }
   /// Seeds for the next model that is opened, as faces of its file.
   std::vector<Index> firstSeeds;
+  std::optional<UpAxis> firstUp;     ///< upright axis of the next model; nothing: the likely one
   std::filesystem::path firstHints;  ///< the same for painted edges; "": none
   Index hoveredFace = kNone;         ///< under the mouse on the model or in the texture
   Index pointedChart = kNone;  ///< under the mouse in a plot or list; hoveredChart() says both
@@ -272,6 +273,7 @@ class AppState {
   void finishFirstFlood();
   void noteFigures();
   void takeNewMesh();
+  void lookAtNewMesh();
   void takeSession(Opening& opening);
   void keepWork(double seconds);
   void keepLikes(double seconds);
