@@ -378,7 +378,7 @@ void readInput(const Tokens& tokens, Invocation& call) {
 void refuseUnfit(const Invocation& call) {
   if (call.task == Invocation::Task::Window) {
     throw UsageError(
-        "--charts=auto needs an output option: in the window choose Edit, Fewest pieces.");
+        "--charts=auto needs an output option: in the window choose Run, Fewest charts.");
   }
   if (!call.seeds.empty() || call.steps || call.iterations || !call.compare.empty()) {
     throw UsageError("--charts=auto runs to the end with many numbers of charts: leave --seeds, "

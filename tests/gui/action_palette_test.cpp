@@ -100,13 +100,13 @@ TEST(ActionPalette, ArrowsChooseAndEscapeCloses) {
 
 TEST(ActionPalette, JumpsToARowInAFoldedSection) {
   HeadlessFrame ui;
-  ASSERT_FALSE(ui.has("margin"));
+  ASSERT_FALSE(ui.has("patience"));
   ui.key("Ctrl+P");
   ui.frames(3);
-  ui.type("margin");
+  ui.type("patience");
   ui.enter();
   ui.frames(4);
-  const ProbedItem row = ui.item("margin");
+  const ProbedItem row = ui.item("patience");
   EXPECT_TRUE(row.whole());
 }
 

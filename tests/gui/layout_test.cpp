@@ -67,7 +67,7 @@ TEST_P(Layout, TheViewKeepsRoom) {
 }
 
 TEST_P(Layout, TargetsAreLargeEnough) {
-  for (const char* label : {"first", "play", "charts", "offsets", "color-mode"}) {
+  for (const char* label : {"first", "play", "charts", "explore on", "color-mode"}) {
     const ProbedItem item = ui.item(label);
     EXPECT_GE(item.max.y - item.min.y, 22 * GetParam().scale) << label;
   }

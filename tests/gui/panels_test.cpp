@@ -61,6 +61,8 @@ TEST(Panels, TypedNonsenseIsRefusedWithAToast) {
 
 TEST(Panels, SwitchAndResetOfARow) {
   HeadlessFrame ui;
+  ui.click("section/Balance");
+  ui.frames(2);
   EXPECT_FALSE(ui.has("reset offsets"));
   ui.click("offsets");
   EXPECT_EQ(ui.lastLine(), "set offsets off");

@@ -176,7 +176,7 @@ TEST(Reach, AMenuEntryIsReachedByArrowsAndRunByEnter) {
 TEST(Reach, EveryParameterRowHasItsTooltipAndOption) {
   HeadlessFrame ui({1280, 4000});
   ui.openFlooded("sphere", 300);
-  for (const char* group : {"Model", "Borders", "Cutting", "Unwrap", "Stopping", "Method"}) {
+  for (const char* group : {"Model", "Balance", "Cutting", "Stopping", "Method"}) {
     ui.click(std::string("section/") + group);
     ui.frames(2);
   }

@@ -218,6 +218,22 @@ TEST_F(Explore, OffValuesAreAnsweredWithAFlood) {
   EXPECT_FALSE(state_.earlierFigures());
 }
 
+TEST_F(Explore, OneKeyIsOneSmallStepWhileWatching) {
+  perform("explore off");
+  open();
+  ASSERT_TRUE(state_.playback.complete());
+  const std::size_t rounds = state_.results().history.size();
+  for (std::size_t step = 1; step <= 3; ++step) {
+    perform("step");
+    EXPECT_EQ(state_.playback.playhead(), step) << "of the next round";
+    EXPECT_EQ(state_.results().history.size(), rounds);
+    EXPECT_FALSE(state_.results().finished);
+  }
+  perform("set speed-power 2");
+  perform("step");
+  EXPECT_FALSE(state_.results().finished);
+}
+
 /// Of the faces that a chart shares with one before, where that is half of both: how many have the
 /// colour that they had.
 struct Kept {

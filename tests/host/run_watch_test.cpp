@@ -95,7 +95,7 @@ TEST_F(RunWatchTest, WhatWasStoredByHandStays) {
 
 TEST_F(RunWatchTest, TheFoundNumberIsUsedAndOthersCanBe) {
   open("sphere", 900);
-  EXPECT_THAT(actions_.refusal("use-count 4", state_), HasSubstr("Fewest pieces"));
+  EXPECT_THAT(actions_.refusal("use-count 4", state_), HasSubstr("Fewest charts"));
   perform("set max-stretch 1.05");
   perform("set relief-stretch 0");  // one piece with cuts would do
   const int before = charts();

@@ -38,7 +38,7 @@ std::string readout(const RunSet& set, std::size_t run) {
   const Run& r = set.runs[run];
   const std::string stretch =
       r.stretch ? "stretch " + formatted("%.3f", *r.stretch) + ", " : std::string();
-  return std::to_string(r.charts) + (r.charts == 1 ? " piece: " : " pieces: ") + stretch +
+  return std::to_string(r.charts) + (r.charts == 1 ? " chart: " : " charts: ") + stretch +
          "seams " + formatted("%.2f \u221aarea", r.seams) +
          (r.stretch ? "" : " before relief cuts: too long") +
          (run == set.chosen ? ", the shortest within the limit" : "");
@@ -71,9 +71,9 @@ void chartCountPlot(const Ui& ui, float height) {
   }
   std::size_t& under = ui.memory.runUnderMouse;
   const std::size_t shown = under < runs.size() ? under : set->chosen;
-  const PlotWords words{"Stretch and seams over the number of pieces", "plot/counts",
+  const PlotWords words{"Stretch and seams over the number of charts", "plot/counts",
                         "L2 stretch of the whole model, 1 is none, and dashed what is allowed in "
-                        "each piece; length of all seams, relief cuts counted, on a scale of its "
+                        "each chart; length of all seams, relief cuts counted, on a scale of its "
                         "own. Click a number to use it.",
                         readout(*set, shown)};
   const ValueAxis axis{1, 1 + niceTop(mostStretch - 1), "%.3g"};

@@ -142,7 +142,7 @@ void headers(const Ui& ui) {
       "Gauss area against the mean of all charts: 100 % is balanced.",
       "Length of the chart's border in units of the model.",
       "How much the chart stretches when it lies flat (L2): 1 is none at all.",
-      "Whether the chart, with its cuts, is one piece with one border and can lie flat."};
+      "Whether the chart, with its cuts, hangs together, has one border and can lie flat."};
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (int column = 0; column < kColumns; ++column) {
     ImGui::TableSetColumnIndex(column);

@@ -46,8 +46,8 @@ void fileMenu(const Ui& ui) {
   actionMenuItem(ui, "picture-dialog");
   actionMenuItem(ui, "turntable");
   actionMenuItem(ui, "flood-film");
-  actionMenuItem(ui, "screenshot", "Picture as last time");
-  actionMenuItem(ui, "screenshot bare=on", "Picture without helpers");
+  actionMenuItem(ui, "screenshot", "Save picture as last time");
+  actionMenuItem(ui, "screenshot bare=on", "Save picture without helpers");
   ImGui::Separator();
   actionMenuItem(ui, "quit");
   ImGui::EndMenu();

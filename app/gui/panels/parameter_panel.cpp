@@ -94,7 +94,7 @@ void parameterPanel(const Ui& ui) {
   for (const ParameterInfo& info : parameterTable()) {
     if (group != info.group) {
       group = info.group;
-      open = section(ui, info.group, group == "Charts" || group == "Balance",
+      open = section(ui, info.group, group == "Charts" || group == "Borders" || group == "Unwrap",
                      shown != nullptr && group == shown->group, staleWords(ui, group));
     }
     if (open) parameterRow(ui, info);

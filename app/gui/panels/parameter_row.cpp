@@ -150,7 +150,7 @@ void numberControl(const Ui& ui, const ParameterInfo& info, double value, bool c
     ui.run(setLine(info, textOf(sliderValue(info, fraction)), dragging));
   };
   slider.typed = [&](const std::string& text) {
-    const std::size_t unit = std::min(text.find("\u00b0"), text.find(" px"));
+    const std::size_t unit = std::min(text.find("\u00b0"), text.find(' '));
     ui.run(setLine(info, text.substr(0, unit), false));
   };
   slider.nudged = [&](int steps) {

@@ -94,7 +94,7 @@ void addHiding(ActionRegistry& registry) {
                     }});
   registry.bind("Alt+H", "show-all-charts");
   registry.add({.id = "chart-in-texture",
-                .title = "Show it in the texture",
+                .title = "Show in texture",
                 .help = "Comes close to the chart's place in the texture.",
                 .arguments = {which},
                 .refusal = needsCharts,

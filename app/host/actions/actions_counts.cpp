@@ -22,19 +22,19 @@ std::string needsRest(const AppState& state) {
 
 std::string needsRuns(const AppState& state) {
   return state.results().chartRuns ? needsRest(state)
-                                   : "No numbers of pieces were tried yet: choose Fewest pieces.";
+                                   : "No numbers of charts were tried yet: choose Fewest charts.";
 }
 
 void countCreases(AppState& state) {
   const Results& now = state.results();
   const std::size_t count = creaseRegions(*now.mesh, *now.gaussArea).count;
-  if (count < 2) throw Refusal("No creases divide this model: its pieces are up to you.");
+  if (count < 2) throw Refusal("No creases divide this model: its charts are up to you.");
   Document document = state.document();
   askCharts(document.parameters, static_cast<int>(count));
   if (segmenterOf(document.parameters.method).knowsCreases) document.parameters.start = "creases";
   document.seeds.clear();
   state.playback.follow();
-  state.changeDocument(document, "Pieces from creases", "charts", false);
+  state.changeDocument(document, "Charts from creases", "charts", false);
   if (!state.preferences.explore) state.finish();
 }
 
@@ -53,25 +53,25 @@ void useCount(AppState& state, long charts) {
 
 void addCountActions(ActionRegistry& registry) {
   registry.add({.id = "charts-from-creases",
-                .title = "Pieces from creases",
-                .help = "As many pieces as the creases divide the model into, cut along these: for "
+                .title = "Charts from creases",
+                .help = "As many charts as the creases divide the model into, cut along these: for "
                         "machine parts.",
                 .arguments = {},
                 .refusal = needsRest,
                 .run = [](AppState& state, const Arguments&) { countCreases(state); }});
   registry.add(
       {.id = "find-charts",
-       .title = "Fewest pieces",
-       .help = "Tries few pieces with the relief cuts they need, then more, and takes the shortest "
-               "seams with which no piece stretches more than allowed. The tab Plots shows what "
+       .title = "Fewest charts",
+       .help = "Tries few charts with the relief cuts they need, then more, and takes the shortest "
+               "seams with which no chart stretches more than allowed. The tab Plots shows what "
                "was tried.",
        .arguments = {},
        .refusal = needsRest,
        .run = [](AppState& state, const Arguments&) { state.session().findChartCount(); }});
   registry.add(
       {.id = "use-count",
-       .title = "Use a number of pieces",
-       .help = "Takes the pieces of a number that was tried.",
+       .title = "Use a number of charts",
+       .help = "Takes the charts of a number that was tried.",
        .arguments = {{"charts", ArgumentType::Integer, "how many"}},
        .refusal = needsRuns,
        .run = [](AppState& state, const Arguments& a) { useCount(state, a.integer("charts")); }});

@@ -116,14 +116,14 @@ void addParameterActions(ActionRegistry& registry) {
                 }});
   registry.add({.id = "more-charts",
                 .title = "One chart more",
-                .help = "Cuts the model into one more piece.",
+                .help = "Cuts the model into one more chart.",
                 .arguments = {},
                 .refusal = {},
                 .run = [](AppState& state, const Arguments&) { addCharts(state, 1); }});
   registry.bind("+", "more-charts");
   registry.add({.id = "fewer-charts",
                 .title = "One chart less",
-                .help = "Cuts the model into one piece less.",
+                .help = "Cuts the model into one chart less.",
                 .arguments = {},
                 .refusal = [](const AppState& state) -> std::string {
                   return chartsNow(state) <= 1 ? "One chart is the least." : "";

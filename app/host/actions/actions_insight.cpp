@@ -171,7 +171,7 @@ void addInsightActions(ActionRegistry& registry) {
   addFigures(registry);
   addSphere(registry);
   registry.add({.id = "frame-selection",
-                .title = "Frame the selection",
+                .title = "Zoom to chart",
                 .help = "Comes close to the selected chart; shows all where none is selected.",
                 .arguments = {{"chart", ArgumentType::Integer, "left out: the selected", false}},
                 .refusal = {},

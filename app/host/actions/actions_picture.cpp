@@ -64,7 +64,7 @@ void addRows(ActionRegistry& registry) {
   const std::vector<ArgumentInfo> frames = {
       {"frames", ArgumentType::Integer, "how many pictures; left out: as set", false}};
   registry.add({.id = "turntable",
-                .title = "Take a turntable",
+                .title = "Save turntable",
                 .help = "Saves numbered pictures of a whole turn about the upright axis, in a new "
                         "folder.",
                 .arguments = frames,
@@ -73,7 +73,7 @@ void addRows(ActionRegistry& registry) {
                   takeRow(state, a, PictureRequest::Row::Turntable);
                 }});
   registry.add({.id = "flood-film",
-                .title = "Take a film of the flood",
+                .title = "Save flood film",
                 .help = "Saves numbered pictures of the present flood on its way, in a new folder; "
                         "the last one shows the charts.",
                 .arguments = frames,
@@ -98,7 +98,7 @@ void addRows(ActionRegistry& registry) {
 void addPictureActions(ActionRegistry& registry) {
   addRows(registry);
   registry.add({.id = "screenshot",
-                .title = "Picture",
+                .title = "Save picture",
                 .help = "Saves a PNG picture as set in the dialog of pictures (Shift+F12); bare: "
                         "transparent, without helpers.",
                 .arguments = {{"file", ArgumentType::Text, "left out: a new name", false},

@@ -34,7 +34,7 @@ struct KindInfo {
 
 constexpr std::array<KindInfo, kKinds.size()> kInfos = {{
     {"not-disks", "chart is no disk", "charts are no disks", "Charts that are no disks",
-     "A chart lies flat only when it is one piece with one border. The cuts of the unwrap open "
+     "A chart lies flat only when it hangs together and has one border. The cuts of the unwrap open "
      "it; so does a seed more."},
     {"not-flat", "chart is not laid flat", "charts are not laid flat", "Charts not laid flat",
      "The unwrap left them out: they have no place in the texture."},

@@ -81,8 +81,9 @@ double sliderValue(const ParameterInfo& info, double fraction) {
 
 std::string sliderText(const ParameterInfo& info, double value) {
   std::string text = shortExponent(printed(info, value));
-  const std::string unit = info.unit;
+  std::string unit = info.unit;
   if (unit == "deg") return text + "\u00b0";
+  if (value == 1 && unit.ends_with('s')) unit.pop_back();  // one of them
   return unit.empty() ? text : text + ' ' + unit;
 }
 

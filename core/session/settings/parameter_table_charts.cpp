@@ -27,7 +27,7 @@ std::vector<ParameterInfo> chartRows() {
        .format = "%.0f",
        .stage = Stage::Seeds,
        .group = "Charts",
-       .help = "How many pieces to cut the model into. More pieces: less stretching, more seams. "
+       .help = "How many charts to cut the model into. More charts: less stretching, more seams. "
                "Unless a number is asked for, no more than the model has flat regions and parts. "
                "Crumbs get one each on top.",
        .source = "3.4"},
@@ -40,11 +40,12 @@ std::vector<ParameterInfo> chartRows() {
        .hardMin = 1.001,
        .hardMax = 100,
        .scale = SliderScale::Log,
+       .unit = "\u00d7",
        .format = "%.2f",
        .stage = Stage::Request,
        .group = "Charts",
-       .help = "\"Fewest pieces\" and --charts=auto look for the shortest seams, borders of pieces "
-               "and relief cuts inside them, with which no piece stretches more than this. 1 is "
+       .help = "\"Fewest charts\" and --charts=auto look for the shortest seams, borders of charts "
+               "and relief cuts inside them, with which no chart stretches more than this. 1 is "
                "none.",
        .source = ""},
       {.id = "sharp-angle",
@@ -75,7 +76,7 @@ std::vector<ParameterInfo> chartRows() {
        .stage = Stage::Graph,
        .group = "Charts",
        .help =
-           "How strongly the flood shies away from curved spots. Low: round, even pieces. High: "
+           "How strongly the flood shies away from curved spots. Low: round, even charts. High: "
            "borders cling to creases and corners.",
        .source = "3.3, eq. 7",
        .method = "t-flooding"},
@@ -92,7 +93,7 @@ std::vector<ParameterInfo> chartRows() {
        .stage = Stage::Graph,
        .group = "Charts",
        .help =
-           "Keeps flat areas from being swallowed at once. Larger: pieces spread more evenly and "
+           "Keeps flat areas from being swallowed at once. Larger: charts spread more evenly and "
            "care less about curvature. A share of the largest curvature.",
        .source = "3.3, eq. 7",
        .method = "t-flooding"},
@@ -107,7 +108,7 @@ std::vector<ParameterInfo> balanceRows() {
        .member = &Parameters::offsets,
        .stage = Stage::Iterations,
        .group = "Balance",
-       .help = "Pieces that got too much in the last round start later in the next one.",
+       .help = "Charts that got too much in the last round start later in the next one.",
        .source = "3.5",
        .method = "t-flooding"},
       {.id = "offset-damping",
@@ -171,12 +172,13 @@ std::vector<ParameterInfo> balanceRows() {
        .sliderMax = 8,
        .hardMin = 1,
        .hardMax = 64,
+       .unit = "seeds",
        .format = "%.0f",
        .stage = Stage::Request,
        .group = "Balance",
        .help =
            "Run to the end tries so many random seeds side by side and keeps the shortest seams "
-           "among those with even pieces. 3 gains a few percent.",
+           "among those with even charts. 3 gains a few percent.",
        .source = ""},
   };
 }
@@ -184,7 +186,7 @@ std::vector<ParameterInfo> balanceRows() {
 std::vector<ParameterInfo> stoppingRows() {
   return {
       {.id = "max-iterations",
-       .label = "Most iterations",
+       .label = "Most rounds",
        .symbol = "",
        .member = &Parameters::maxIterations,
        .sliderMin = 1,
@@ -192,6 +194,7 @@ std::vector<ParameterInfo> stoppingRows() {
        .hardMin = 1,
        .hardMax = 10000,
        .scale = SliderScale::Log,
+       .unit = "rounds",
        .format = "%.0f",
        .stage = Stage::Iterations,
        .group = "Stopping",
@@ -205,6 +208,7 @@ std::vector<ParameterInfo> stoppingRows() {
        .sliderMax = 50,
        .hardMin = 1,
        .hardMax = 1000,
+       .unit = "rounds",
        .format = "%.0f",
        .stage = Stage::Iterations,
        .group = "Stopping",
@@ -229,6 +233,7 @@ std::vector<ParameterInfo> stoppingRows() {
        .sliderMax = 20,
        .hardMin = 0,
        .hardMax = 1000,
+       .unit = "rounds",
        .format = "%.0f",
        .stage = Stage::Iterations,
        .group = "Stopping",

@@ -29,7 +29,7 @@ std::vector<ParameterInfo> borderRows() {
        .stage = Stage::Refine,
        .group = "Borders",
        .help =
-           "How much equal pieces count against short seams. Small: shortest. Large: most even. "
+           "How much equal charts count against short seams. Small: shortest. Large: most even. "
            "For shortest borders.",
        .source = "",
        .method = "t-flooding"},
@@ -77,7 +77,7 @@ std::vector<ParameterInfo> cuttingRows() {
        .member = &Parameters::cutHandles,
        .stage = Stage::Cut,
        .group = "Cutting",
-       .help = "Cuts pieces with a handle, like the one of a cup, so that they can lie flat.",
+       .help = "Cuts charts with a handle, like the one of a cup, so that they can lie flat.",
        .source = "3.6"},
       {.id = "handle-search",
        .label = "Search for handles",
@@ -96,7 +96,7 @@ std::vector<ParameterInfo> cuttingRows() {
        .member = &Parameters::cutLoops,
        .stage = Stage::Cut,
        .group = "Cutting",
-       .help = "Cuts rings, tubes and closed pieces open, so that they can lie flat.",
+       .help = "Cuts rings, tubes and closed charts open, so that they can lie flat.",
        .source = "3.6"},
       {.id = "cut-tips",
        .label = "Cut tips",
@@ -128,10 +128,11 @@ std::vector<ParameterInfo> cuttingRows() {
        .hardMin = 0,
        .hardMax = 1e6,
        .scale = SliderScale::LogZero,
+       .unit = "\u00d7",
        .format = "%.2f",
        .stage = Stage::Unwrap,
        .group = "Cutting",
-       .help = "Slits a piece where it would stretch more than this, and rods and cones of long "
+       .help = "Slits a chart where it would stretch more than this, and rods and cones of long "
                "triangles where that leaves no stretch. 0: never.",
        .source = ""},
   };
@@ -145,7 +146,7 @@ std::vector<ParameterInfo> unwrapRows() {
        .member = &Parameters::unwrap,
        .stage = Stage::Unwrap,
        .group = "Unwrap",
-       .help = "Free: the least stretch, nothing flipped, nothing overlapping. Circle: every piece "
+       .help = "Free: the least stretch, nothing flipped, nothing overlapping. Circle: every chart "
                "fills a disk, as in the paper.",
        .source = "4",
        .choices = {{"free", "Free outline"}, {"circle", "Circle"}}},
@@ -155,7 +156,7 @@ std::vector<ParameterInfo> unwrapRows() {
        .member = &Parameters::layout,
        .stage = Stage::Layout,
        .group = "Unwrap",
-       .help = "Packed: all pieces at one scale, close together. Square: each piece in a square of "
+       .help = "Packed: all charts at one scale, close together. Square: each chart in a square of "
                "its own, as in the paper.",
        .source = "4",
        .choices = {{"packed", "Packed"}, {"square", "Squares"}}},
@@ -186,7 +187,7 @@ std::vector<ParameterInfo> unwrapRows() {
        .format = "%.0f",
        .stage = Stage::Layout,
        .group = "Unwrap",
-       .help = "Empty pixels between the pieces, so that paint does not bleed.",
+       .help = "Empty pixels between the charts, so that paint does not bleed.",
        .source = ""},
   };
 }

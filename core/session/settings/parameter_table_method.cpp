@@ -25,28 +25,28 @@ std::vector<ParameterInfo> methodRows() {
        .member = &Parameters::method,
        .stage = Stage::Seeds,
        .group = "Method",
-       .help = "How the pieces are found.",
+       .help = "How the charts are found.",
        .source = "3",
        .choices = methodChoices()},
       {.id = "vsa-seeding",
-       .label = "Coming to pieces",
+       .label = "Coming to charts",
        .symbol = "",
        .member = &Parameters::vsaSeeding,
        .stage = Stage::Seeds,
        .group = "Method",
        .help =
-           "One by one: a new piece where the planes fit worst. Doubling: one in every piece at "
+           "One by one: a new chart where the planes fit worst. Doubling: one in every chart at "
            "once. Random: all at once anywhere.",
        .source = "",
        .choices = {{"one-by-one", "One by one"}, {"doubling", "Doubling"}, {"random", "Random"}},
        .method = "vsa"},
       {.id = "vsa-teleport",
-       .label = "Move stuck pieces",
+       .label = "Move stuck charts",
        .symbol = "",
        .member = &Parameters::vsaTeleport,
        .stage = Stage::Iterations,
        .group = "Method",
-       .help = "Joins two pieces that hardly differ and spends the freed one where the planes fit "
+       .help = "Joins two charts that hardly differ and spends the freed one where the planes fit "
                "worst.",
        .source = "4",
        .method = "vsa"},
@@ -62,18 +62,18 @@ std::vector<ParameterInfo> methodRows() {
        .format = "%.2f",
        .stage = Stage::Flood,
        .group = "Method",
-       .help = "Low: pieces keep to flat ground and end at folds. High: round pieces, wherever the "
+       .help = "Low: charts keep to flat ground and end at folds. High: round charts, wherever the "
                "folds are.",
        .source = "",
        .method = "mcgim"},
       {.id = "mcgim-normals",
-       .label = "Facing of a piece",
+       .label = "Facing of a chart",
        .symbol = "",
        .member = &Parameters::mcgimNormals,
        .stage = Stage::Flood,
        .group = "Method",
-       .help = "Frozen: which way a piece faces is that of the round before. Running: it follows "
-               "the piece as it grows.",
+       .help = "Frozen: which way a chart faces is that of the round before. Running: it follows "
+               "the chart as it grows.",
        .source = "",
        .choices = {{"frozen", "Frozen"}, {"running", "Running"}},
        .method = "mcgim"},
@@ -84,7 +84,7 @@ std::vector<ParameterInfo> methodRows() {
        .stage = Stage::Flood,
        .group = "Method",
        .help =
-           "Pieces refuse what would make them rings or give them holes, while there is anything "
+           "Charts refuse what would make them rings or give them holes, while there is anything "
            "else to take.",
        .source = "",
        .method = "mcgim"},

@@ -203,7 +203,7 @@ std::string whyUnused(const Parameters& values, const ParameterInfo& info) {
   if (id == "detect-cycles" && *segmenter.noCycles != '\0') return segmenter.noCycles;
   const bool balances = segmenter.balances && values.offsets;
   if (id == "detect-cycles" && balances && values.settle > 0) {
-    return "Seeds that return are no end while pieces settle: set Settle to 0.";
+    return "Seeds that return are no end while charts settle: set Settle to 0.";
   }
   return "";
 }
