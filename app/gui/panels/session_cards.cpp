@@ -21,6 +21,9 @@ void recoveryCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax) {
   ImGui::Begin("recovery card", nullptr, kFlags);
   ImGui::PushTextWrapPos(std::min(ui.px(300), areaMax.x - areaMin.x - ui.px(52)));
   ImGui::TextUnformatted("The last session ended unexpectedly.");
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
+  ImGui::TextUnformatted(ui.state.keeper.recovery.leftTitle().c_str());
+  ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
   const ImVec2 button{ui.px(96), 0};
   ImGui::PushStyleColor(ImGuiCol_Button, ui.theme.palette.accentSoft);

@@ -97,37 +97,46 @@ void toasts(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax) {
 
 void firstStepsCard(const Ui& ui, ImVec2 areaMin, ImVec2 areaMax) {
   if (!ui.state.panels.firstCard) return;
-  static constexpr const char* kLines[][2] = {{"Space", "watch it flood"},
-                                              {"1 \u2013 9", "choose what to see"},
-                                              {"G", "add and move seeds"},
-                                              {"Enter", "run to the best balance"},
-                                              {"F12", "take a picture"}};
-  const float width = std::min(ui.px(500), areaMax.x - areaMin.x - ui.px(24));
-  const bool wide = width >= ui.px(480);
-  ImGui::SetNextWindowPos({std::round((areaMin.x + areaMax.x) / 2), areaMax.y - ui.px(44)}, 0,
-                          {0.5f, 1.0f});
+  static constexpr const char* kKeys[][2] = {{"Space", "watch it flood"},
+                                             {"1 \u2013 9", "choose what to see"},
+                                             {"G", "add and move seeds"},
+                                             {"F12", "save a picture"}};
+  // In the corner, so that most of the model stands beside it.
+  const float width = std::min(ui.px(268), areaMax.x - areaMin.x - ui.px(24));
+  ImGui::SetNextWindowPos({areaMin.x + ui.px(12), areaMax.y - ui.px(44)}, 0, {0, 1});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::SetNextWindowBgAlpha(0.94f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(8));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(18), ui.px(12)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(14), ui.px(12)));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.theme.palette.bar);
   ImGui::Begin("first steps", nullptr, kOverlay & ~ImGuiWindowFlags_AlwaysAutoResize);
-  const float second = ui.px(236), wordColumn[] = {ui.px(78), ui.px(306)};
-  for (std::size_t i = 0; i < std::size(kLines); ++i) {
-    const std::size_t column = wide ? i % 2 : 0;
-    if (column == 1) ImGui::SameLine(second);
+  ImGui::PushFont(ui.theme.strong);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted("Cuts a model into charts that lie flat. Drop yours here.");
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+  ImGui::Spacing();
+  const float half = (ImGui::GetContentRegionAvail().x - ui.px(6)) / 2;
+  ImGui::PushStyleColor(ImGuiCol_Button, ui.theme.palette.accentSoft);
+  textButton(ui, "Open a model\u2026", "browse", {half, 0});
+  ImGui::PopStyleColor();
+  ImGui::SameLine(0, ui.px(6));
+  textButton(ui, "Checkerboard", "color-mode checkerboard", {half, 0});
+  ImGui::Spacing();
+  for (const auto& [key, words] : kKeys) {
     ImGui::PushFont(ui.theme.strong);
-    ImGui::TextUnformatted(kLines[i][0]);
+    ImGui::TextUnformatted(key);
     ImGui::PopFont();
-    ImGui::SameLine(wordColumn[column]);
-    ImGui::TextUnformatted(kLines[i][1]);
+    ImGui::SameLine(ui.px(84));
+    ImGui::TextUnformatted(words);
   }
   ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.palette.dim);
-  ImGui::TextUnformatted("Drop a model anywhere in the window. Any key closes this.");
+  ImGui::TextUnformatted("A click here or any key closes this.");
   ImGui::PopStyleColor();
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ui.probe.rectangle("first-steps", low, {low.x + size.x, low.y + size.y});
-  if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) ui.run("first-steps off");
+  const bool beside = !ImGui::IsAnyItemHovered();
+  if (ImGui::IsWindowHovered() && beside && ImGui::IsMouseClicked(0)) ui.run("first-steps off");
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/base/error.h"
@@ -99,6 +101,7 @@ void Recovery::begin(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   left_ = leftCopies(folder);
+  nameLeft();
   const std::string name = kBegin + std::to_string(::getpid());
   for (int i = 0; i < kMostNames && !on(); ++i) {
     // A name that exists belongs to another process, or holds what one left behind.
@@ -126,6 +129,24 @@ bool Recovery::write(std::string text) {
   return true;
 }
 
+void Recovery::nameLeft() {
+  leftTitle_.clear();
+  if (left_.empty()) return;
+  try {
+    const SessionModel model = readSession(left_.front()).model;
+    leftTitle_ = model.sample.empty() ? std::filesystem::path(model.file).filename().string()
+                                      : "Sample " + model.sample;
+  } catch (const std::exception&) {  // restoring it will say why
+    leftTitle_ = left_.front().filename().string();
+  }
+  struct stat status {};
+  std::tm local{};
+  if (::stat(left_.front().c_str(), &status) != 0) return;
+  if (::localtime_r(&status.st_mtime, &local) == nullptr) return;
+  char when[64];
+  if (std::strftime(when, sizeof when, ", %e %b %H:%M", &local) > 0) leftTitle_ += when;
+}
+
 void Recovery::finishWriting() {
   if (writing_.valid()) writing_.get();
 }
@@ -142,12 +163,14 @@ void Recovery::adopt(const std::filesystem::path& copy) {
   std::filesystem::rename(copy, file_, ignored);
   removeCopy(copy);
   std::erase(left_, copy);
+  nameLeft();
 }
 
 void Recovery::forget() {
   if (left_.empty()) return;
   removeCopy(left_.front());
   left_.erase(left_.begin());
+  nameLeft();
 }
 
 }  // namespace chartflood

@@ -37,6 +37,8 @@ class Recovery {
 
   /// Copies that other processes left behind, newest first.
   const std::vector<std::filesystem::path>& left() const { return left_; }
+  /// Model of the first of them and when it was written, "bunny.obj, 1 Dec 14:05"; "" without any.
+  const std::string& leftTitle() const { return leftTitle_; }
   /// Removes the first of them.
   void forget();
   /// Makes one of them the own copy, so that there is one at any moment.
@@ -44,10 +46,12 @@ class Recovery {
 
  private:
   void finishWriting();
+  void nameLeft();
 
   std::filesystem::path file_;
   int lock_ = -1;  ///< descriptor; the system lets go of it however the process ends
   std::vector<std::filesystem::path> left_;
+  std::string leftTitle_;
   std::future<void> writing_;
 };
 
