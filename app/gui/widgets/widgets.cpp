@@ -90,7 +90,9 @@ void tooltip(const Ui& ui, std::string_view label, std::string_view title, std::
   const double rested = ImGui::GetTime() - memory.hoveredSince;
   if (rested < kTooltipDelay) return ui.wakeIn(kTooltipDelay - rested);
   const ImVec2 padding(ui.px(10), ui.px(8));
-  const float wrap = std::min(ui.px(320), ImGui::GetIO().DisplaySize.x - 2 * padding.x - ui.px(8));
+  const float frame = 2 * padding.x + ui.px(8), panel = GImGui->CurrentWindow->Size.x;
+  const float room = panel >= ui.px(220) ? panel : ImGui::GetIO().DisplaySize.x;
+  const float wrap = std::min(ui.px(320), room - frame);
   placeTooltip(ui, tooltipSize(ui, title, text, wrap, padding));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::BeginTooltip();
