@@ -19,13 +19,14 @@ namespace {
 class TFlooding final : public FloodRounds {
  public:
   TFlooding(const SegmentInputs& inputs, const SegmentOptions& options)
-      : FloodRounds("t-flooding", inputs, options), locked_(options.locked) {
-    Rng rng(options.rngSeed);
-    const std::size_t charts = effectiveChartCount(mesh(), options.charts, options.seeds.size());
-    const PartShares shares =
+      : FloodRounds("t-flooding", inputs, options), rng_(options.rngSeed), locked_(options.locked) {
+    charts_ = effectiveChartCount(mesh(), options.charts, options.seeds.size());
+    shares_ =
         partShares(mesh(), *inputs.gaussArea, faceGauss(), inputs.floodGraph->eta, options.charts);
+    // One by one: those given, or the first, and one in each bare component.
+    const std::size_t first = options.placement == SeedPlacement::Spread ? charts_ : 0;
     plan_ = RoundPlan(options, options.maxIterations,
-                      placeSeeds(mesh(), charts, options.seeds, shares, rng), options.offsets);
+                      placeSeeds(mesh(), first, options.seeds, shares_, rng_), options.offsets);
     std::sort(locked_.begin(), locked_.end());
     restartFlood();
   }
@@ -33,7 +34,7 @@ class TFlooding final : public FloodRounds {
  private:
   FloodStart present() const override { return {plan_.seeds(), plan_.offsets(), {}, {}, {}}; }
   void startFlood(std::shared_ptr<FloodRecord> record) override {
-    if (!flood_) flood_ = makeFlood(*inputs().floodGraph, plan_.seeds().size());
+    if (!flood_) flood_ = makeFlood(*inputs().floodGraph, charts_);
     flood_->start(plan_.seeds(), plan_.offsets(), options().lookahead, std::move(record));
   }
   std::size_t take(std::size_t count, Progress* progress) override {
@@ -64,11 +65,26 @@ class TFlooding final : public FloodRounds {
     return summary;
   }
 
-  void planNext() override { plan_.plan(*flood_, areas_.gaussArea, locked_); }
+  void planNext() override {
+    plan_.plan(*flood_, areas_.gaussArea, locked_);
+    if (!placing()) return;
+    const std::size_t present = plan_.seeds().size();
+    const std::size_t count = present + seedsToAdd(present, charts_);
+    plan_.planMore(placeSeeds(mesh(), count, plan_.nextSeeds(), shares_, rng_));
+  }
+
+  /// Rounds on the way to all seeds are neither the best nor the last.
+  bool placing() const { return plan_.seeds().size() < charts_; }
+
+  double badness() const {
+    if (options().roundMeasure == RoundMeasure::Printed) return balance_.stdEq3;
+    return balance_.defined ? balance_.stdOverMean() : balance_.std;
+  }
 
   Judgement judge() override {
     planNext();
-    const StopReason stop = plan_.judge(balance_.defined ? balance_.stdOverMean() : balance_.std);
+    if (placing()) return {};
+    const StopReason stop = plan_.judge(badness());
     return {stop, plan_.newBest()};
   }
 
@@ -78,6 +94,9 @@ class TFlooding final : public FloodRounds {
     plan_.standAt(round.seeds, round.offsets);
   }
 
+  Rng rng_;
+  std::size_t charts_ = 0;  ///< K in force; less are flooded while seeds come one by one
+  PartShares shares_;
   RoundPlan plan_;
   std::unique_ptr<Flood> flood_;
   std::vector<Index> locked_;

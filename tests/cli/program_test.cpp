@@ -272,7 +272,8 @@ TEST_F(Program, ParametersChangeTheResult) {
   for (const char* option :
        {"--sharp-angle=10", "--speed-power=4", "--speed-epsilon=1e-5", "--offsets=off",
         "--offset-damping=0.9", "--lookahead=off", "--area-share=0.05", "--max-iterations=2",
-        "--patience=1", "--settle=0", "--refine=none", "--balance-weight=10", "--preset=paper"}) {
+        "--patience=1", "--settle=0", "--refine=none", "--balance-weight=10",
+        "--seeding=one-by-one", "--preset=paper"}) {
     EXPECT_TRUE(labels(option) != usual) << option << " changes nothing";
   }
   for (const char* option : {"--search=literal", "--start=flood", "--method=t-flooding"}) {

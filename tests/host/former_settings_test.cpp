@@ -2,6 +2,8 @@
 // setting away from its default, read and compared value by value.
 
 #include <fstream>
+#include <set>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -75,10 +77,13 @@ void expectSessionView(const SessionView& values) {
   EXPECT_EQ(view.sphereCamera.orientation, glm::dquat(0.5, 0.5, 0.5, 0.5));
 }
 
-/// The parameters were all moved off their defaults.
+/// Parameters that the former version did not have: its files leave them at their defaults.
+const std::set<std::string> kSince = {"seeding"};
+
+/// The parameters of that version were all moved off their defaults.
 void expectParameters(const Parameters& parameters) {
   for (const ParameterInfo& info : parameterTable()) {
-    EXPECT_FALSE(isDefault(parameters, info)) << info.id;
+    EXPECT_EQ(isDefault(parameters, info), kSince.contains(info.id)) << info.id;
   }
   EXPECT_EQ(parameters.method, "mcgim");
   EXPECT_EQ(parameters.charts, 21);

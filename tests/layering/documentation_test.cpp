@@ -39,6 +39,28 @@ TEST(Readme, NamesOnlyOptionsThatExist) {
   EXPECT_GT(found, 10u);
 }
 
+/// The page that holds the program against the paper names options and tests of each difference.
+TEST(PaperPage, NamesOnlyOptionsAndTestsThatExist) {
+  std::set<std::string> options, tests;
+  for (const OptionInfo& option : optionTable()) options.insert(option.name);
+  const std::regex test(R"(TEST(?:_F|_P)?\((\w+),\s*(\w+)\))");
+  for (const SourceFile& file : sourceFiles("tests")) {
+    for (std::sregex_iterator it(file.text.begin(), file.text.end(), test), end; it != end; ++it) {
+      tests.insert((*it)[1].str() + "." + (*it)[2].str());
+    }
+  }
+  const std::string text = fileText("assets/docs/paper.md");
+  const std::regex option("--([a-z][a-z0-9-]*)"), name(R"(`([A-Z]\w*\.[A-Z]\w*)`)");
+  std::size_t named = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), option), end; it != end; ++it) {
+    EXPECT_TRUE(options.contains((*it)[1])) << it->str();
+  }
+  for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it, ++named) {
+    EXPECT_TRUE(tests.contains((*it)[1])) << it->str();
+  }
+  EXPECT_GT(named, 10u);
+}
+
 /// Holds what README.md has between two marks against what the program says; writes it anew where
 /// CHARTFLOOD_WRITE_README=1 is set.
 void checkGenerated(const std::string& what, const std::string& made) {

@@ -129,8 +129,4 @@ GrowthStart firstGrowthStart(const SegmentInputs& inputs, const SegmentOptions& 
   return start;
 }
 
-std::size_t seedsToAdd(std::size_t present, std::size_t wanted) {
-  return std::min(wanted - present, std::max<std::size_t>(1, present / 32));
-}
-
 }  // namespace chartflood

@@ -22,8 +22,4 @@ std::unique_ptr<Stepper> makeGrowthRounds(const char* id, const SegmentInputs& i
 /// in each further component; each with its face's normal, or the normals given with the seeds.
 GrowthStart firstGrowthStart(const SegmentInputs& inputs, const SegmentOptions& options);
 
-/// How many seeds to add to `present` on the way to `wanted`: one, as the papers do, and a share
-/// of 1/32 where there are many, so that many charts take few rounds.
-std::size_t seedsToAdd(std::size_t present, std::size_t wanted);
-
 }  // namespace chartflood

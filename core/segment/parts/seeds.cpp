@@ -87,4 +87,8 @@ std::vector<Index> placeSeeds(const Mesh& mesh, std::size_t count, std::span<con
                      shares, rng);
 }
 
+std::size_t seedsToAdd(std::size_t present, std::size_t wanted) {
+  return std::min(wanted - present, std::max<std::size_t>(1, present / 32));
+}
+
 }  // namespace chartflood

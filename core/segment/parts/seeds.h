@@ -22,9 +22,8 @@ void checkSeeds(const Mesh& mesh, std::span<const Index> given);
 ///
 /// `given` seeds come first, in their order. Without any, the first is uniformly random. Then one
 /// random face in each component that has none. Then, until there are enough, the face farthest
-/// from all seeds over the dual graph with distances between centroids, lowest number on ties. The
-/// paper grows a chart before each placement; one search from all seeds, updated where a new seed
-/// is nearer, finds the same faces for the price of one or two floods.
+/// from all seeds over the dual graph with distances between centroids, lowest number on ties. One
+/// search from all seeds, updated where a new seed is nearer, takes no more than one or two floods.
 ///
 /// Beyond the paper, for meshes of several components, between which charts cannot move: each
 /// further seed goes to the component with the largest weight per seed, so that charts of all
@@ -33,5 +32,9 @@ void checkSeeds(const Mesh& mesh, std::span<const Index> given);
 /// \throws UsageError when a given seed is no face of the mesh or is given twice.
 std::vector<Index> placeSeeds(const Mesh& mesh, std::size_t count, std::span<const Index> given,
                               const PartShares& shares, Rng& rng);
+
+/// How many seeds to add to `present` on the way to `wanted`: one, as the papers do, and a share
+/// of 1/32 where there are many, so that many charts take few rounds.
+std::size_t seedsToAdd(std::size_t present, std::size_t wanted);
 
 }  // namespace chartflood

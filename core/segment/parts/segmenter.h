@@ -84,6 +84,18 @@ struct FloodBegun {
   FloodStart start;
 };
 
+/// How t-flooding comes to its first seeds.
+enum class SeedPlacement {
+  Spread,    ///< all at once, far apart
+  OneByOne,  ///< a flood before each, after which the seeds move: the paper's way (section 3.4)
+};
+
+/// What makes a round of t-flooding better than another.
+enum class RoundMeasure {
+  Relative,  ///< standard deviation of Gauss area over its mean
+  Printed,   ///< equation 3, steradians
+};
+
 /// What t-flooding floods round after round.
 enum class SearchKind {
   Literal,  ///< the whole mesh: the paper's way
@@ -140,6 +152,8 @@ struct SegmentOptions {
   std::uint32_t rngSeed = 1;
   bool creasesFirst = false;  ///< of a start from creases: they come before short seams
   SearchKind search = SearchKind::Literal;
+  SeedPlacement placement = SeedPlacement::Spread;     ///< of the literal search
+  RoundMeasure roundMeasure = RoundMeasure::Relative;  ///< of the literal search
   FastFlood fast;  ///< what the first flood of the fast search runs on, to go on from
   bool useOffsets = true;
   double offsetDamping = 0.3;

@@ -26,6 +26,12 @@ void RoundPlan::plan(Flood& flood, std::span<const double> chartGauss,
   if (useOffsets_) updateOffsets(nextOffsets_, chartGauss, damping_);
 }
 
+void RoundPlan::planMore(std::vector<Index> seeds) {
+  nextSeeds_ = std::move(seeds);
+  nextOffsets_ = offsets_;
+  nextOffsets_.resize(nextSeeds_.size(), 0);
+}
+
 StopReason RoundPlan::judge(double badness) {
   const bool settling = convergence_.settling();
   const StopReason stop = convergence_.round(seeds_, nextSeeds_, badness);
@@ -44,7 +50,9 @@ StopReason RoundPlan::judge(double badness) {
 
 std::size_t RoundPlan::takeNext() {
   std::size_t moved = 0;
-  for (std::size_t c = 0; c < seeds_.size(); ++c) moved += seeds_[c] != nextSeeds_[c];
+  for (std::size_t c = 0; c < nextSeeds_.size(); ++c) {
+    moved += c >= seeds_.size() || seeds_[c] != nextSeeds_[c];
+  }
   seeds_ = nextSeeds_;
   offsets_ = nextOffsets_;
   return moved;

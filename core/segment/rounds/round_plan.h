@@ -29,6 +29,11 @@ class RoundPlan {
   /// \param chartGauss A(c) of its charts
   /// \param locked seeds that stay, ascending
   void plan(Flood& flood, std::span<const double> chartGauss, std::span<const Index> locked);
+  /// After plan(): the next round begins with more seeds, and with the offsets of this one: they
+  /// change only once all seeds are there (section 3.4).
+  void planMore(std::vector<Index> seeds);
+  /// The seeds of the next round.
+  const std::vector<Index>& nextSeeds() const { return nextSeeds_; }
   /// Judges a new round, after plan(): why to stop, if so. Settling seeds are put to rest.
   StopReason judge(double badness);
   /// The round that judge() was told of last is the best so far.

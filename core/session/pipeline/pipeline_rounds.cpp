@@ -62,8 +62,9 @@ std::optional<std::uint32_t> Pipeline::wantsCreases() const {
 std::optional<FastFlood> Pipeline::wantsFast() const {
   const Parameters& p = document_.parameters;
   const bool sketched = depth_ == Depth::Sketch && p.search != "literal";
-  const bool wanted = sketched || p.search == "fast" ||
-                      (p.search == "auto" && mesh_->faceCount() > kMostLiteralFaces);
+  const bool wanted =
+      sketched || p.search == "fast" ||
+      (p.search == "auto" && p.seeding == "spread" && mesh_->faceCount() > kMostLiteralFaces);
   const bool fits = segmenterOf(p.method).knowsFast && wanted && !wantsCreases();
   return fits ? std::optional(FastFlood{}) : std::nullopt;
 }
@@ -109,6 +110,8 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   options.detectCycles = p.detectCycles;
   options.settle = static_cast<std::size_t>(p.settle);
   options.keepLast = p.keep == "last";
+  options.roundMeasure = p.keep == "eq3" ? RoundMeasure::Printed : RoundMeasure::Relative;
+  options.placement = p.seeding == "one-by-one" ? SeedPlacement::OneByOne : SeedPlacement::Spread;
   options.record = logs_ != FloodLogs::None;
   options.refine = refineOptions(p);
   options.refine.sketch = sketch;

@@ -25,6 +25,9 @@ std::vector<std::pair<const char*, ParameterValue>> printedValues(double power) 
           {"offset-damping", 0.9},
           {"area-share", 0.0},
           {"settle", 0},
+          {"seeding", std::string("one-by-one")},
+          {"keep", std::string("eq3")},
+          {"detect-cycles", false},  // it ends the rounds before their offsets have done their work
           {"search", std::string("literal")},
           {"start", std::string("flood")},
           {"refine", std::string("none")},

@@ -222,9 +222,12 @@ std::vector<ParameterInfo> stoppingRows() {
        .member = &Parameters::keep,
        .stage = Stage::Iterations,
        .group = "Stopping",
-       .help = "Which round is kept once a stop rule fires: the best one or the last.",
+       .help =
+           "Which round is kept once a stop rule fires: the one whose charts are most even, as a "
+           "share of their mean; the one with the least spread by equation 3, in steradians, "
+           "which t-flooding's literal search knows; or the last.",
        .source = "3.4",
-       .choices = {{"best", "Best round"}, {"last", "Last round"}}},
+       .choices = {{"best", "Best round"}, {"eq3", "Best by equation 3"}, {"last", "Last round"}}},
       {.id = "settle",
        .label = "Settle",
        .symbol = "",

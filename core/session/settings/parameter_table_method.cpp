@@ -113,6 +113,17 @@ std::vector<ParameterInfo> methodRows() {
        .source = "3.4",
        .choices = {{"auto", "Auto"}, {"flood", "Flood"}, {"creases", "Creases"}},
        .method = "t-flooding"},
+      {.id = "seeding",
+       .label = "First seeds",
+       .symbol = "",
+       .member = &Parameters::seeding,
+       .stage = Stage::Seeds,
+       .group = "Method",
+       .help = "Spread: all at once, far apart. One by one: a flood before each new seed, and all "
+               "move after it, as the paper prints it; these rounds come before those that count.",
+       .source = "3.4",
+       .choices = {{"spread", "Spread"}, {"one-by-one", "One by one"}},
+       .method = "t-flooding"},
   };
 }
 

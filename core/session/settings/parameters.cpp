@@ -199,6 +199,8 @@ std::string whyUnused(const Parameters& values, const ParameterInfo& info) {
   const bool ofCuts = id == "balance-weight" || id == "crease-weight";
   if (ofCuts && values.refine != "cuts") return "Only for shortest borders.";
   if (id == "clean-up" && values.refine != "moves") return "Only for tidied borders.";
+  if (id == "seeding" && values.search == "fast") return "The fast search spreads its seeds.";
+  if (id == "seeding" && values.start == "creases") return "Charts begin from creases.";
   const Segmenter& segmenter = segmenterOf(values.method);
   if (id == "detect-cycles" && *segmenter.noCycles != '\0') return segmenter.noCycles;
   const bool balances = segmenter.balances && values.offsets;

@@ -40,6 +40,7 @@ struct Parameters {
   bool mcgimDisks = false;                ///< mcgim-disks
   std::string search = "auto";            ///< search
   std::string start = "auto";             ///< start
+  std::string seeding = "spread";         ///< seeding
   std::string refine = "cuts";            ///< refine
   double balanceWeight = 1000;            ///< balance-weight: w
   double creaseWeight = 0.3;              ///< crease-weight

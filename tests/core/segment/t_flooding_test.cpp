@@ -13,6 +13,7 @@
 #include "core/gauss/compute_gauss_area.h"
 #include "core/segment/fast/fast_flooding.h"
 #include "core/segment/parts/balance.h"
+#include "core/segment/parts/chart_areas.h"
 #include "core/segment/registry.h"
 #include "tests/support/segment_inputs.h"
 #include "tests/support/segmentation_checks.h"
@@ -330,6 +331,89 @@ TEST(EveryMethod, KeepsTheLastRoundWhereThatIsWished) {
       for (std::size_t i = 0; i < last->size(); ++i) {
         ASSERT_EQ(state->label[(*last)[i].face], (*last)[i].chart) << method.id;
       }
+    }
+  }
+}
+
+/// The rounds of t-flooding to the end, with the values of the paper.
+std::unique_ptr<Stepper> printedRun(const SegmentInputs& in, SegmentOptions options) {
+  options.charts = 9;
+  options.offsetDamping = 0.9;
+  options.settle = 0;
+  options.refine.kind = RefineKind::None;
+  auto stepper = segmenterOf("t-flooding").make(in, options);
+  Progress progress;
+  EXPECT_EQ(stepper->advance(StepUnit::Converged, 1, progress), StepOutcome::Finished);
+  return stepper;
+}
+
+TEST(TFlooding, SeedsComeOneByOneWithAFloodBeforeEach) {
+  const auto in = test::segmentInputs(test::sampleMesh("rocket", 2000));
+  SegmentOptions options;
+  options.placement = SeedPlacement::OneByOne;
+  options.maxIterations = 5;
+  options.patience = 100;
+  options.detectCycles = false;
+  const auto stepper = printedRun(in, options);
+  const auto history = stepper->history();
+  ASSERT_EQ(history.size(), 8u + 5u) << "rounds on the way do not count against the limit";
+  std::size_t moved = 0;
+  for (std::size_t round = 0; round + 1 < 9; ++round) {
+    const IterationSummary& now = history[round];
+    const IterationSummary& next = history[round + 1];
+    ASSERT_EQ(now.seeds.size(), round + 1);
+    // Offsets begin once all seeds are there; the new seed is none of the others.
+    for (const double offset : next.offsets) EXPECT_EQ(offset, 0);
+    EXPECT_EQ(std::count(next.seeds.begin(), next.seeds.end(), next.seeds.back()), 1);
+    for (std::size_t c = 0; c < now.seeds.size(); ++c) moved += now.seeds[c] != next.seeds[c];
+  }
+  EXPECT_GT(moved, 8u) << "seeds move after each flood";
+  EXPECT_GE(stepper->bestIteration(), 8u) << "a round with all charts is kept";
+  const auto offset = [](double value) { return value > 0; };
+  const auto& last = history.back().offsets;
+  EXPECT_TRUE(std::any_of(last.begin(), last.end(), offset));
+  EXPECT_EQ(stepper->state()->chartCount, 9u);
+}
+
+TEST(TFlooding, SeedsThatComeOneByOneGoOnFromAnyRoundAndKeepLocks) {
+  const auto in = test::segmentInputs(test::sampleMesh("double-torus", 1500));
+  SegmentOptions options;
+  options.placement = SeedPlacement::OneByOne;
+  options.seeds = options.locked = {17};
+  const auto whole = printedRun(in, options);
+  for (const IterationSummary& round : whole->history()) EXPECT_EQ(round.seeds[0], 17u);
+  options.charts = 9;
+  options.refine.kind = RefineKind::None;
+  const auto stepper = segmenterOf("t-flooding").make(in, options);
+  Progress progress;
+  stepper->advance(StepUnit::Flood, 6, progress);
+  stepper->adopt(2, progress);
+  stepper->advance(StepUnit::Flood, 1, progress);
+  EXPECT_EQ(stepper->history().back().seeds, stepper->history()[3].seeds);
+  EXPECT_EQ(stepper->history().back().offsets, stepper->history()[3].offsets);
+}
+
+TEST(TFlooding, KeepsTheRoundOfLeastSpreadByEquation3WhereThatIsWished) {
+  const auto in = test::segmentInputs(test::sampleMesh("gear", 3000));
+  const FaceValues faceGauss = faceGaussArea(*in.mesh, *in.gaussArea);
+  SegmentOptions options;
+  options.patience = 15;
+  for (const RoundMeasure measure : {RoundMeasure::Printed, RoundMeasure::Relative}) {
+    options.roundMeasure = measure;
+    const auto stepper = printedRun(in, options);
+    const auto badness = [&](std::size_t round) {
+      Progress progress;
+      const auto record = stepper->replay(round, progress);
+      std::vector<Index> label(in.mesh->faceCount());
+      for (std::size_t i = 0; i < record->size(); ++i)
+        label[(*record)[i].face] = (*record)[i].chart;
+      const auto areas = chartAreas(*in.mesh, *in.gaussArea, {faceGauss.data(), faceGauss.size()}, label, 9);
+      const Balance balance = balanceOf(areas.gaussArea);
+      return measure == RoundMeasure::Printed ? balance.stdEq3 : balance.stdOverMean();
+    };
+    const double kept = badness(stepper->bestIteration());
+    for (std::size_t round = 0; round < stepper->history().size(); ++round) {
+      EXPECT_LE(kept, badness(round)) << round;
     }
   }
 }

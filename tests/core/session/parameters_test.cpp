@@ -244,6 +244,9 @@ TEST(Presets, PaperIsThePrintedMethod) {
   expected.offsetDamping = 0.9;
   expected.areaShare = 0;
   expected.settle = 0;
+  expected.seeding = "one-by-one";
+  expected.keep = "eq3";
+  expected.detectCycles = false;
   expected.search = "literal";
   expected.start = "flood";
   expected.refine = "none";
