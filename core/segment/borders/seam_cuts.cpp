@@ -48,14 +48,15 @@ class SeamCuts::Engine {
     whole_ = gauss.total() + options.eta * mesh.surfaceArea();
     surface_ = mesh.surfaceArea();
     if (evened_ < charts_) leaveLoneCharts();
-    startEnergy_ = energy();
+    if (!options_.sketch) startEnergy_ = energy();
   }
 
   bool run(Progress& progress) {
     for (; stage_ < stages_.size(); ++stage_) {
       progress.setFraction(static_cast<float>(stage_) / static_cast<float>(stages_.size()));
       if (!runStage(progress)) return false;
-      if (stage_ + 1 == stages_.size() && energy() > startEnergy_) fallBack();
+      const bool last = stage_ + 1 == stages_.size();
+      if (last && !options_.sketch && energy() > startEnergy_) fallBack();
     }
     return true;
   }
@@ -139,6 +140,25 @@ class SeamCuts::Engine {
     const SeamStage& stage = stages_[stage_];
     const double charts = static_cast<double>(evened_);
     state_.band = stage.band * options_.band * std::sqrt(surface_ / charts);
+    // A sketch goes on with the clusters of its last stage, which are still within charts.
+    const bool sameNodes =
+        options_.sketch && stage_ > 0 && stage.size > 1 && stages_[stage_ - 1].size == stage.size;
+    if (!sameNodes && !makeNodes(stage, progress)) return false;
+    state_.unit = unit();
+    state_.leastGain = kLeastGain;
+    state_.price = options_.price;
+    if (options_.price != nullptr) options_.price->fit(label_);
+    state_.defect = kDefect / std::sqrt(charts);
+    state_.leastArea = (options_.oneSided ? kLeastAreaOneSided : kLeastArea) * surface_ / charts;
+    measureSeamCharts(state_, charts_);
+    measureBalance();
+    sweep_ = 0;
+    changed_.assign(charts_, 1);
+    return true;
+  }
+
+  /// The level of a stage; false when it was stopped.
+  bool makeNodes(const SeamStage& stage, const Progress& progress) {
     FaceClusters clusters = stage.size == 1 && options_.clusters
                                 ? clusterNearSeams(mesh_, label_, ringsOf(state_.band))
                                 : clusterFaces(mesh_, label_, stage.size);
@@ -156,16 +176,6 @@ class SeamCuts::Engine {
     state_.localArc.resize(level_.arcHead.size());
     state_.distance.resize(nodes);
     state_.seen.assign(nodes, 0);
-    state_.unit = unit();
-    state_.leastGain = kLeastGain;
-    state_.price = options_.price;
-    if (options_.price != nullptr) options_.price->fit(label_);
-    state_.defect = kDefect / std::sqrt(charts);
-    state_.leastArea = (options_.oneSided ? kLeastAreaOneSided : kLeastArea) * surface_ / charts;
-    measureSeamCharts(state_, charts_);
-    measureBalance();
-    sweep_ = 0;
-    changed_.assign(charts_, 1);
     return true;
   }
 

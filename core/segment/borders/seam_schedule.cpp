@@ -51,7 +51,7 @@ std::vector<SeamStage> seamSchedule(std::size_t faces, std::size_t charts, bool 
 std::vector<SeamStage> seamSketch(std::size_t faces, std::size_t charts, bool anneal) {
   if (!anneal) return {{1, 0.5, 1, 2}};
   const std::size_t size = whole(clusterSize(faces, charts));
-  std::vector<SeamStage> stages = {{0.02, 1.2, size, 2}, {0.2, 0.8, size, 2}};
+  std::vector<SeamStage> stages = {{0.02, 1.2, size, 1}, {0.2, 0.8, size, 2}};
   stages.push_back({1, faces > kManyFaces ? 0.125 : 0.25, 1, 1});
   return stages;
 }
