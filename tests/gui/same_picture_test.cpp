@@ -13,6 +13,7 @@
 #include "app/gui/views/picture_taker.h"
 #include "app/host/actions/actions.h"
 #include "app/host/actions/chart_swap.h"
+#include "app/host/files/picture_record.h"
 #include "app/host/film/film_frame.h"
 #include "app/host/script/action_registry.h"
 #include "core/base/error.h"
@@ -186,6 +187,30 @@ TEST_F(SamePicture, WhereOptionsSayWhatTheLegendDoes) {
     EXPECT_GT(compareImages(wanted, before).differentPixels, 0u) << option;
     before = wanted;
   }
+}
+
+TEST_F(SamePicture, HoldsItsRecipeEvenWhereAMomentIsNotHeld) {
+  openModel();
+  run("run");
+  ASSERT_GT(state.results().history.size(), 1u);
+  run("go-to-round 1 100");
+  ASSERT_FALSE(state.showsFinal());
+  const std::string file = (folder.path() / "moment.png").string();
+  ASSERT_TRUE(state.perform(actions, "screenshot view=3d file=" + file));
+  {
+    PictureTaker taker([] {});
+    taker.update(state, scene, 1);
+    while (state.notices.toasts().empty() ||
+           state.notices.toasts().back().text.find("moment.png") == std::string::npos) {
+      taker.update(state, scene, 1);
+    }
+  }
+  EXPECT_TRUE(holdsSession(file));
+  EXPECT_NE(state.notices.toasts().back().text.find("but not this moment of the run"),
+            std::string::npos);
+  const PictureSource source = readPictureSource(file, folder.path() / "model.obj");
+  EXPECT_EQ(source.session.parameters, state.document().parameters);
+  EXPECT_TRUE(source.session.charts.finished);
 }
 
 TEST_F(SamePicture, OfTheTexture) {

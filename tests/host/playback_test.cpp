@@ -45,6 +45,30 @@ TEST(Playback, AsksForTheFirstFloodAndThenPlaysItInThreeSeconds) {
   EXPECT_FALSE(playback.playing());
 }
 
+TEST(Playback, SixtyRoundsAreWatchedInFifteenSeconds) {
+  std::vector<std::shared_ptr<const FloodRecord>> rounds;
+  for (int i = 0; i < 60; ++i) rounds.push_back(record(3000, 3000));
+  Playback::Source run = source(rounds.back());
+  run.rounds = rounds;
+  run.round = 59;
+  run.stopped = run.finished = true;
+  run.borderSteps = 100;
+  Playback playback;
+  playback.update(run, 0);
+  playback.play();
+  constexpr double kFrame = 1.0 / 60;
+  double seconds = 0, first = 0;
+  while (playback.playing() && seconds < 100) {
+    playback.update(run, kFrame);
+    seconds += kFrame;
+    if (playback.round() == 0 && !playback.inBorders()) first = seconds;
+  }
+  EXPECT_TRUE(playback.atFinal());
+  EXPECT_NEAR(first, Playback::kDefaultSeconds, 0.1);
+  EXPECT_LT(seconds, 15);
+  EXPECT_GT(seconds, 10);
+}
+
 TEST(Playback, RunningAsksForTheNextRoundAtTheEnd) {
   Playback playback;
   const auto log = record(100, 100);

@@ -11,6 +11,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/gui/views/picture_pieces.h"
+#include "app/host/files/checker_picture.h"
 #include "app/host/files/file_name_template.h"
 #include "app/host/film/film_frame.h"
 #include "app/host/settings/standard_paths.h"
@@ -54,28 +55,26 @@ void note(const AppState& state, std::span<const PicturePiece> pieces, int smoot
   taken.shown->camera = first.camera;
 }
 
-/// True when a session holds what pictures of finished charts and of the flood are made from: no
-/// earlier rounds, no borders on their way, no picture on the checkerboard.
-bool sessionHolds(const AppState& state) {
-  const bool other = state.film.ready() || state.playback.inBorders();
-  return !other && state.view.checkerFile.empty();
-}
-
 /// Charts that will be others in a moment are not what a picture was asked of.
 bool awaitsCharts(const AppState& state) {
   return state.preferences.explore && !state.playback.playing() &&
          (state.changing() || state.results().sketch);
 }
 
-/// True when a session leads to what is shown. Problems are those of charts laid flat.
-bool comesBack(const AppState& state) {
-  if (!sessionHolds(state) || (state.view.render.problems && !state.results().flat)) return false;
-  return state.showsFinal() || state.playback.onWorkersRound();
+/// What of the picture a session does not lead back to, as words; "" where all of it is held.
+std::string notHeld(const AppState& state) {
+  const bool moment = !state.showsFinal() && !state.playback.onWorkersRound();
+  if (state.film.ready()) return "the film of the handle";
+  if (state.playback.inBorders() || moment) return "this moment of the run";
+  if (!state.view.checkerFile.empty()) return "the picture on the charts";
+  if (state.view.render.problems && !state.results().flat) return "the marks of problems";
+  return "";
 }
 
-/// The same for every moment of the flood that is played.
-bool filmComesBack(const AppState& state) {
-  return comesBack(state) && state.playback.onWorkersRound();
+/// The same for the moments of a flood that is played.
+std::string notHeldOfFilm(const AppState& state) {
+  const std::string missing = notHeld(state);
+  return missing.empty() && !state.playback.onWorkersRound() ? "this moment of the run" : missing;
 }
 
 /// What each half of a comparison was made with.
@@ -98,14 +97,17 @@ ImageTexts textsOf(const AppState& state, const PictureTaker::Taken& taken, cons
     return texts;
   }
   const RenderSettings& look = taken.shown->render;
+  ViewSettings shown = *taken.shown;
+  // A picture names no files of its maker's.
+  if (!shown.checkerFile.empty()) dropCheckerPicture(shown);
   PictureRecord record = taken.record;
   record.width = image.width();
   record.height = image.height();
   record.lineScale = static_cast<double>(look.pixelScale);
-  record.playhead = look.playhead;
+  if (taken.notHeld.empty()) record.playhead = look.playhead;
   const std::filesystem::path file = state.results().mesh->input().file;
   if (state.modelIsFile()) record.model = file.filename().string();
-  return pictureTexts(state.sessionTextLike(*taken.shown), record, commandLine(state, false));
+  return pictureTexts(state.sessionTextLike(shown), record, commandLine(state, false));
 }
 
 /// Pixels of lines and letters in a picture of this size.
@@ -187,7 +189,7 @@ void PictureTaker::take(const AppState& state, CompareScene& scene, const Pictur
     return;
   }
   Image image = drawView(state, scene, request, pixelScale, taken);
-  if (!comesBack(state)) taken.shown.reset();
+  taken.notHeld = notHeld(state);
   if (request.settings.view == "ab") taken.sides = sideTexts(state);
   write(state, request, std::move(image), taken);
 }
@@ -196,6 +198,7 @@ void PictureTaker::write(const AppState& state, const PictureRequest& request, I
                          const Taken& taken) {
   const ImageTexts texts = textsOf(state, taken, image);
   const std::string model = state.modelName(), mode = colorModeInfo(state.view.render.colorMode).id;
+  const std::string missing = taken.shown ? taken.notHeld : "";
   writing_ =
       std::async(std::launch::async, [=, image = std::move(image), wake = wake_]() -> Outcome {
         Outcome outcome;
@@ -204,6 +207,9 @@ void PictureTaker::write(const AppState& state, const PictureRequest& request, I
           const std::vector<std::uint8_t> bytes = encodePng(image, texts);
           writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
           outcome = {true, "Saved " + file.string()};
+          if (!missing.empty()) {
+            outcome.sentence += ". It holds charts and view, but not " + missing + '.';
+          }
         } catch (const std::exception& failure) {
           outcome = {false, failureSentence(failure)};
         }
@@ -274,8 +280,7 @@ void PictureTaker::goOn(AppState& state, CompareScene& scene, float pixelScale) 
   Image image = drawOfRow(state, scene, request, row_->camera, row_->next, pixelScale, taken);
   // The moments of a film belong to the flood that the session knows, the last picture to its end.
   const bool film = row_->request.row == PictureRequest::Row::FloodFilm;
-  const bool again = film ? filmComesBack(state) : comesBack(state);
-  if (!again) taken.shown.reset();
+  taken.notHeld = film ? notHeldOfFilm(state) : notHeld(state);
   write(state, request, std::move(image), taken);
 }
 

@@ -33,7 +33,8 @@ class PictureTaker {
   struct Taken {
     std::optional<ViewSettings> shown;
     PictureRecord record;
-    ImageTexts sides;  ///< of a comparison: how each half was made
+    std::string notHeld;  ///< what the session of `shown` does not lead back to, "" for nothing
+    ImageTexts sides;     ///< of a comparison: how each half was made
   };
 
  private:

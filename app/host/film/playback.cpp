@@ -37,6 +37,12 @@ double Playback::speed() const {
   return std::max(kSlowest, static_cast<double>(capacity()) / kDefaultSeconds);
 }
 
+/// Of the round shown: the first ones are watched, the later ones are more of the same.
+double Playback::pace() const {
+  if (speedChosen()) return speed();
+  return speed() * std::pow(1 / kShorter, static_cast<double>(round()));
+}
+
 /// In a round of the run; the worker's where the round is still under way.
 void Playback::stand(std::size_t round, std::size_t count) {
   following_ = false;
@@ -221,7 +227,7 @@ void Playback::playOn(const Source& source, double seconds) {
   }
   if (missingRound()) return;
   const bool unlimited = speed() > kFastest;
-  position_ += unlimited ? static_cast<double>(capacity()) : speed() * std::max(0.0, seconds);
+  position_ += unlimited ? static_cast<double>(capacity()) : pace() * std::max(0.0, seconds);
   while (position_ > static_cast<double>(recorded())) {
     const bool goesOn = mode_ == Mode::Running && complete() && !lastRound();
     if (!goesOn) {

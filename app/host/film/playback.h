@@ -34,10 +34,12 @@ class Playback {
   };
   /// Slowest and fastest speed of the slider, triangles per second; above it "as fast as can be".
   static constexpr double kSlowest = 1, kFastest = 1e6;
-  /// At the default speed a whole flood takes this long.
+  /// At the default speed the first flood of a run takes this long.
   static constexpr double kDefaultSeconds = 3;
-  /// And the refinement of borders this long.
-  static constexpr double kBorderSeconds = 5;
+  /// And each next one this share of the one before, so that all rounds end within ten seconds.
+  static constexpr double kShorter = 0.7;
+  /// The refinement of borders takes this long.
+  static constexpr double kBorderSeconds = 4;
 
   /// What the session has to offer in this moment.
   struct Source {
@@ -112,13 +114,14 @@ class Playback {
   /// Nothing of the run lies ahead.
   bool atEndOfRun() const;
 
-  /// Triangles per second: as set, or a whole flood in kDefaultSeconds.
+  /// Triangles per second: as set, or the first flood in kDefaultSeconds.
   double speed() const;
   /// 0 returns to the default; above kFastest there is no limit.
   void setSpeed(double trianglesPerSecond) { chosenSpeed_ = trianglesPerSecond; }
   bool speedChosen() const { return chosenSpeed_ > 0; }
 
  private:
+  double pace() const;
   void take(const Source& source);
   void stand(std::size_t round, std::size_t count);
   void leaveEnd();
