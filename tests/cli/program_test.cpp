@@ -276,6 +276,10 @@ TEST_F(Program, ParametersChangeTheResult) {
         "--seeding=one-by-one", "--preset=paper"}) {
     EXPECT_TRUE(labels(option) != usual) << option << " changes nothing";
   }
+  const std::string vsa = labels("--method=vsa");
+  EXPECT_TRUE(labels("--even=error", "--method=vsa") != vsa);
+  EXPECT_TRUE(labels("--even=area", "--method=vsa") != labels("--even=error", "--method=vsa"));
+  EXPECT_TRUE(labels("--even=off", "--method=vsa") == vsa);
   for (const char* option : {"--search=literal", "--start=flood", "--method=t-flooding"}) {
     EXPECT_TRUE(labels(option) == usual) << option << " changes something";
   }

@@ -78,7 +78,7 @@ void expectSessionView(const SessionView& values) {
 }
 
 /// Parameters that the former version did not have: its files leave them at their defaults.
-const std::set<std::string> kSince = {"seeding"};
+const std::set<std::string> kSince = {"even", "seeding"};
 
 /// The parameters of that version were all moved off their defaults.
 void expectParameters(const Parameters& parameters) {

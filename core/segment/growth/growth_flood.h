@@ -1,6 +1,7 @@
 #pragma once
-/// A flood over the dual graph from one queue: charts grow from their seeds, the face with the
-/// least key next, whatever chart it goes to.
+/// A flood over the dual graph: charts grow from their seeds, the face with the least key next,
+/// whatever chart it goes to; or the chart with the least error next, so that all charts come to
+/// the same.
 
 #include <algorithm>
 #include <limits>
@@ -11,11 +12,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/check.h"
 #include "core/base/progress.h"
 #include "core/flood/min_heap.h"
+#include "core/flood/primary_queue.h"
 #include "core/model/flood_record.h"
 #include "core/segment/growth/disk_guard.h"
 #include "core/segment/growth/growth_graph.h"
+#include "core/segment/parts/segmenter.h"
 
 namespace chartflood {
 
@@ -23,6 +27,8 @@ namespace chartflood {
 struct GrowthStart {
   std::vector<Index> seeds;
   std::vector<glm::dvec3> normals;
+  /// What each chart's error begins with, in the error's unit; empty: one queue for all charts.
+  std::vector<double> offsets = {};
 
   bool operator==(const GrowthStart&) const = default;
 };
@@ -33,6 +39,10 @@ struct GrowthStart {
 ///
 /// Every face remembers the least key offered to it: a larger one could never win, so it is not
 /// queued, and the queue holds about one entry a face. On equal keys the earlier offer stays.
+///
+/// Even growth (a start with offsets) is t-flooding with the method's error in place of Gauss area
+/// (the future work of the paper's section 5): each chart has a queue of its own by key, and the
+/// one whose error so far, offset and next face add up to least takes that face.
 template <class Cost>
 class GrowthFlood {
  public:
@@ -40,7 +50,9 @@ class GrowthFlood {
     /// Charts' normals follow the faces that come in, from the seed's own on, instead of resting.
     bool runningNormals = false;
     /// Charts refuse faces that would make them more than disks, while anything else is left.
+    /// Even growth does not ask it.
     const DiskGuard* guard = nullptr;
+    EvenGrowth even = EvenGrowth::Off;  ///< what even growth adds up
   };
 
   GrowthFlood(GrowthGraph graph, Cost cost, const Options& options)
@@ -64,6 +76,14 @@ class GrowthFlood {
     takes_ = 0;
     nextSeed_ = 0;
     strict_ = options_.guard != nullptr;
+    even_ = !start.offsets.empty();
+    CF_CHECK(!even_ || start.offsets.size() == seeds_.size());
+    charts_.resize(even_ ? seeds_.size() : 0);
+    for (std::size_t c = 0; c < charts_.size(); ++c) {
+      charts_[c].heap.clear();
+      charts_[c].error = start.offsets[c];
+    }
+    if (even_) queue_.reset(seeds_.size());
   }
 
   /// Takes up to `count` more faces; returns how many it took. Stops early when cancelled.
@@ -105,8 +125,13 @@ class GrowthFlood {
       GrowthFace& seed = graph_.faces[seeds_[nextSeed_]];
       seed.best = 0;
       seed.owner = static_cast<Index>(nextSeed_);
-      return take(seeds_[nextSeed_++]);
+      take(seeds_[nextSeed_++]);
+      if (even_ && nextSeed_ == seeds_.size()) {
+        for (Index c = 0; c < seeds_.size(); ++c) rank(c);
+      }
+      return;
     }
+    if (even_) return stepEven();
     while (true) {
       if (heap_.empty()) {
         relent();
@@ -122,6 +147,43 @@ class GrowthFlood {
     }
   }
 
+  /// The chart with the least error takes its next face. Every component has a seed, so that one
+  /// can grow until all faces are taken.
+  void stepEven() {
+    while (true) {
+      CF_CHECK(!queue_.finished());
+      const Index chart = queue_.top();
+      const TimedFace top = charts_[chart].heap.top();
+      GrowthFace& f = graph_.faces[faceOf(top)];
+      if (f.label == kNone) {
+        charts_[chart].heap.pop();
+        f.best = timeOf(top);
+        f.owner = chart;
+        take(faceOf(top));
+      }
+      rank(chart);
+      if (graph_.faces[faceOf(top)].label == chart) return;
+    }
+  }
+
+  /// Drops faces that others took from the top of the chart's queue and says when its turn is.
+  void rank(Index chart) {
+    EvenChart& c = charts_[chart];
+    while (!c.heap.empty() && graph_.faces[faceOf(c.heap.top())].label != kNone) c.heap.pop();
+    if (c.heap.empty()) {
+      queue_.setKey(chart, PrimaryQueue::kFinished);
+      return;
+    }
+    const TimedFace top = c.heap.top();
+    queue_.setKey(chart, c.error + errorOf(graph_.faces[faceOf(top)], timeOf(top)));
+  }
+
+  /// Of a face with that key. Flat ground costs a little as well, else one chart would take it all.
+  double errorOf(const GrowthFace& face, float key) const {
+    const auto area = static_cast<double>(face.area);
+    return options_.even == EvenGrowth::Area ? area : static_cast<double>(key) + kFlat * area;
+  }
+
   void take(Index face) {
     GrowthFace& f = graph_.faces[face];
     const Index chart = f.owner;
@@ -133,6 +195,7 @@ class GrowthFlood {
       const double length = glm::length(sums_[chart]);
       if (length > 0) normals_[chart] = glm::vec3(sums_[chart] / length);
     }
+    if (even_) charts_[chart].error += errorOf(f, f.best);
     offerAround(face);
   }
 
@@ -146,10 +209,12 @@ class GrowthFlood {
       GrowthFace& g = graph_.faces[arc.face];
       if (g.label != kNone) continue;
       const float key = cost_(here, normal, g, arc.length);
-      if (!(key < g.best)) continue;
+      // In even growth a face waits for every chart beside it; `best` is the newest chart's key.
+      const bool news = key < g.best || (even_ && g.owner != chart);
+      if (!news) continue;
       g.best = key;
       g.owner = chart;
-      heap_.push(timedFace(key, arc.face));
+      (even_ ? charts_[chart].heap : heap_).push(timedFace(key, arc.face));
     }
   }
 
@@ -180,6 +245,14 @@ class GrowthFlood {
     }
   }
 
+  static constexpr double kFlat = 1e-6;
+
+  /// Of even growth.
+  struct EvenChart {
+    MinHeap heap;      ///< faces beside it by key
+    double error = 0;  ///< so far, and its offset
+  };
+
   GrowthGraph graph_;
   Cost cost_;
   Options options_;
@@ -190,6 +263,9 @@ class GrowthFlood {
   std::shared_ptr<FloodRecord> record_;
   std::size_t takes_ = 0, nextSeed_ = 0;
   bool strict_ = false;
+  bool even_ = false;
+  std::vector<EvenChart> charts_;
+  PrimaryQueue queue_;  ///< of charts, in even growth
 };
 
 }  // namespace chartflood

@@ -37,6 +37,8 @@ class GrowthMethod {
 
   /// Of a finished flood: the cost that the method lowers.
   virtual double measure(const GrowthStart& present) = 0;
+  /// After measure(): what each chart has of that cost.
+  virtual std::vector<double> chartCosts() const = 0;
   /// After measure(): the next start with seeds moved and normals fitted, nothing else changed.
   virtual GrowthStart relaxed() = 0;
   /// After measure(): the next start, with more seeds where there are fewer than wanted; or why to

@@ -11,8 +11,12 @@
 namespace chartflood {
 
 /// Rounds with fewer charts than wanted come first and are not counted against the limit of rounds.
-/// The result is the round with the least cost among those with all charts. Borders are refined at
-/// the end by their length and the method's own cost: these methods know no balance.
+/// The result is the round with the least cost among those with all charts. With even growth that
+/// round is where even rounds begin: seeds and normals go on as the method has it, and offsets by
+/// the rule of the paper's section 3.5 with the charts' errors in place of Gauss areas; then seeds
+/// and normals rest while offsets go on. The result is the round whose charts are most even.
+/// Borders are refined at the end by their length and the method's own cost: these methods know no
+/// balance.
 std::unique_ptr<Stepper> makeGrowthRounds(const char* id, const SegmentInputs& inputs,
                                           const SegmentOptions& options,
                                           std::unique_ptr<GrowthMethod> method,

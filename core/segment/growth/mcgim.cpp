@@ -63,8 +63,9 @@ class Mcgim final : public GrowthMethod {
   Mcgim(std::shared_ptr<const Mesh> mesh, const SegmentOptions& options, std::size_t chartCount)
       : mesh_(std::move(mesh)), options_(options), chartCount_(chartCount), guard_(*mesh_),
         lambda_(static_cast<float>(options.mcgim.lambda)),
-        flood_(buildGrowthGraph(*mesh_), PathCost{lambda_},
-               {options.mcgim.runningNormals, options.mcgim.disks ? &guard_ : nullptr}),
+        flood_(
+            buildGrowthGraph(*mesh_), PathCost{lambda_},
+            {options.mcgim.runningNormals, options.mcgim.disks ? &guard_ : nullptr, options.even}),
         charts_(flood_.graph(), normals_, PathCost{lambda_ + 1}), center_(charts_) {}
 
   void start(const GrowthStart& start, std::shared_ptr<FloodRecord> record) override {
@@ -88,9 +89,11 @@ class Mcgim final : public GrowthMethod {
   double measure(const GrowthStart& present) override {
     present_ = present;
     double cost = 0;
+    costs_.assign(present.seeds.size(), 0);
     std::vector<glm::dvec3> sum(present.seeds.size(), glm::dvec3(0));
     for (const GrowthFace& face : faces()) {
       cost += static_cast<double>(face.best);
+      costs_[face.label] += static_cast<double>(face.best);
       sum[face.label] += static_cast<double>(face.area) * glm::dvec3(face.normal);
     }
     next_ = present;
@@ -108,6 +111,7 @@ class Mcgim final : public GrowthMethod {
     return cost;
   }
 
+  std::vector<double> chartCosts() const override { return costs_; }
   GrowthStart relaxed() override { return next_; }
 
   Verdict judge() override {
@@ -157,6 +161,7 @@ class Mcgim final : public GrowthMethod {
   float lambda_;
   GrowthFlood<PathCost> flood_;
   std::vector<glm::vec3> normals_;  ///< of the finished charts
+  std::vector<double> costs_;       ///< likewise: of the paths to their faces
   GrownCharts charts_;
   ChartCenter<GrownCharts> center_;
   GrowthStart present_, next_;

@@ -28,7 +28,8 @@ struct FlatnessCost {
 class Vsa final : public GrowthMethod {
  public:
   Vsa(GrowthGraph graph, const SegmentOptions& options, std::size_t chartCount)
-      : options_(options), chartCount_(chartCount), flood_(std::move(graph), {}, {}) {}
+      : options_(options), chartCount_(chartCount),
+        flood_(std::move(graph), {}, {.even = options.even}) {}
 
   void start(const GrowthStart& start, std::shared_ptr<FloodRecord> record) override {
     flood_.start(start, std::move(record));
@@ -54,6 +55,12 @@ class Vsa final : public GrowthMethod {
     cost_ = 0;
     for (const VsaRegion& region : regions_) cost_ += region.cost;
     return cost_;
+  }
+
+  std::vector<double> chartCosts() const override {
+    std::vector<double> costs;
+    for (const VsaRegion& region : regions_) costs.push_back(region.cost);
+    return costs;
   }
 
   GrowthStart relaxed() override {

@@ -90,6 +90,13 @@ enum class SeedPlacement {
   OneByOne,  ///< a flood before each, after which the seeds move: the paper's way (section 3.4)
 };
 
+/// What the methods that grow charts by normals even out between charts, beyond their papers.
+enum class EvenGrowth {
+  Off,
+  Error,  ///< what the method itself lowers
+  Area,   ///< surface
+};
+
 /// What makes a round of t-flooding better than another.
 enum class RoundMeasure {
   Relative,  ///< standard deviation of Gauss area over its mean
@@ -164,6 +171,7 @@ struct SegmentOptions {
   std::size_t settle = 4;  ///< rounds without gain that end balancing with seeds at rest
   bool keepLast = false;   ///< the last round is kept at the end, not the best one
   RefineOptions refine;
+  EvenGrowth even = EvenGrowth::Off;  ///< of the methods that grow by normals
   VsaOptions vsa;
   McgimOptions mcgim;
   bool record = true;  ///< keep a log of the present flood

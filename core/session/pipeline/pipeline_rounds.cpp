@@ -116,6 +116,9 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   options.refine = refineOptions(p);
   options.refine.sketch = sketch;
   options.refine.sideFactor = hintFactors(*mesh_, document_.hints);
+  options.even = p.even == "error"  ? EvenGrowth::Error
+                 : p.even == "area" ? EvenGrowth::Area
+                                    : EvenGrowth::Off;
   options.vsa = {vsaSeeding(p.vsaSeeding), p.vsaTeleport};
   options.mcgim = {p.mcgimLambda, p.mcgimNormals == "running", p.mcgimDisks};
   run_.onFlood = std::make_shared<std::function<void(const FloodBegun&)>>(

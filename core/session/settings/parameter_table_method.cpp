@@ -28,6 +28,18 @@ std::vector<ParameterInfo> methodRows() {
        .help = "How the charts are found.",
        .source = "3",
        .choices = methodChoices()},
+      {.id = "even",
+       .label = "Even out",
+       .symbol = "",
+       .member = &Parameters::even,
+       .stage = Stage::Flood,
+       .group = "Method",
+       .help =
+           "What all charts are to have alike. Error: what the method itself lowers, so that no "
+           "chart is much worse than the others. Area: charts of equal size. Auto: Gauss area "
+           "with t-flooding, nothing with the others, as in their papers.",
+       .source = "5",
+       .choices = {{"auto", "Auto"}, {"error", "Error"}, {"area", "Area"}, {"off", "Off"}}},
       {.id = "vsa-seeding",
        .label = "Coming to charts",
        .symbol = "",

@@ -188,6 +188,10 @@ Parameters inForce(Parameters values, std::size_t features) {
 
 std::string whyUnused(const Parameters& values, const ParameterInfo& info) {
   const std::string id = info.id;
+  const bool even =
+      values.method != "t-flooding" && (values.even == "error" || values.even == "area");
+  // Even growth balances by offsets over rounds, as t-flooding does.
+  if (even && (id == "patience" || id == "settle")) return "";
   if (*info.method != '\0' && values.method != info.method) {
     const ParameterInfo& method = *findParameter("method");
     for (const ParameterChoice& choice : method.choices) {
@@ -199,6 +203,8 @@ std::string whyUnused(const Parameters& values, const ParameterInfo& info) {
   const bool ofCuts = id == "balance-weight" || id == "crease-weight";
   if (ofCuts && values.refine != "cuts") return "Only for shortest borders.";
   if (id == "clean-up" && values.refine != "moves") return "Only for tidied borders.";
+  if (id == "even" && values.method == "t-flooding") return "T-flooding evens out Gauss area.";
+  if (id == "mcgim-disks" && even) return "Charts that are evened out may grow into rings.";
   if (id == "seeding" && values.search == "fast") return "The fast search spreads its seeds.";
   if (id == "seeding" && values.start == "creases") return "Charts begin from creases.";
   const Segmenter& segmenter = segmenterOf(values.method);

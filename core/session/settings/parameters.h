@@ -33,6 +33,7 @@ struct Parameters {
   std::string keep = "best";   ///< keep: which round is kept at the end
   bool detectCycles = true;    ///< detect-cycles
   int settle = 4;              ///< settle: rounds without gain, seeds at rest
+  std::string even = "auto";   ///< even: what charts are to have alike
   std::string vsaSeeding = "one-by-one";  ///< vsa-seeding
   bool vsaTeleport = true;                ///< vsa-teleport
   double mcgimLambda = 1;                 ///< mcgim-lambda

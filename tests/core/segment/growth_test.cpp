@@ -14,6 +14,7 @@
 #include "core/segment/growth/mcgim_price.h"
 #include "core/segment/growth/vsa.h"
 #include "core/segment/growth/vsa_regions.h"
+#include "core/segment/parts/balance.h"
 #include "core/segment/registry.h"
 #include "tests/support/segment_inputs.h"
 #include "tests/support/segmentation_checks.h"
@@ -222,6 +223,93 @@ TEST_P(Growth, LockedSeedsStay) {
   const auto seeds = finished(GetParam(), in, options)->state()->seeds;
   EXPECT_EQ(seeds.size(), 6u);
   EXPECT_NE(std::find(seeds.begin(), seeds.end(), Index{700}), seeds.end());
+}
+
+/// What of each chart even growth evens out: L2,1 errors, costs of paths or areas.
+Balance balanceOfAreas(const Mesh& mesh, const Segmentation& state) {
+  std::vector<double> area(state.chartCount, 0);
+  const FaceValues faces = faceAreas(mesh);
+  for (std::size_t f = 0; f < state.label.size(); ++f) area[state.label[f]] += faces[f];
+  return balanceOf(area);
+}
+
+Balance balanceOfErrors(const Mesh& mesh, const Segmentation& state) {
+  GrowthGraph graph = buildGrowthGraph(mesh);
+  for (std::size_t f = 0; f < state.label.size(); ++f) graph.faces[f].label = state.label[f];
+  std::vector<double> errors;
+  const std::vector<glm::dvec3> none(state.chartCount, glm::dvec3(0));
+  for (const VsaRegion& region : fitRegions(graph.faces, none)) errors.push_back(region.cost);
+  return balanceOf(errors);
+}
+
+TEST_P(ManyCharts, GrowToTheSameArea) {
+  const auto in = test::segmentInputs(test::sampleMesh("rocket", 4000));
+  SegmentOptions options = charts(12);
+  const double before =
+      balanceOfAreas(*in.mesh, *finished(GetParam(), in, options)->state()).stdOverMean();
+  options.even = EvenGrowth::Area;
+  const auto stepper = finished(GetParam(), in, options);
+  const auto state = stepper->state();
+  test::expectValid(*in.mesh, *in.gaussArea, *state);
+  EXPECT_LT(balanceOfAreas(*in.mesh, *state).stdOverMean(), std::min(0.1, 0.5 * before));
+  // Rounds come out again from what the history has of them, the even ones with their offsets.
+  Progress progress;
+  const auto log = stepper->replay(stepper->bestIteration(), progress);
+  for (std::size_t i = 0; i < log->size(); ++i) {
+    ASSERT_EQ(state->label[(*log)[i].face], (*log)[i].chart);
+  }
+}
+
+/// Figures of the paper's first future work: worst chart over the mean, deviation over the mean,
+/// and what it costs.
+struct EvenBar {
+  const char* mesh;
+  double deviation, energy;
+};
+class EvenErrors : public testing::TestWithParam<EvenBar> {};
+INSTANTIATE_TEST_SUITE_P(Meshes, EvenErrors,
+                         testing::Values(EvenBar{"rocker-arm.obj", 0.07, 1.4},
+                                         EvenBar{"homer.obj", 0.05, 1.25},
+                                         EvenBar{"armadillo-80354.ply", 0.16, 1.11}),
+                         [](const auto& info) { return "Number" + std::to_string(info.index); });
+
+TEST_P(EvenErrors, OfVsaAreTheSameForEveryChart) {
+  const auto mesh = test::realMesh(GetParam().mesh);
+  if (!mesh) GTEST_SKIP() << "the folder of real meshes is absent";
+  const auto in = test::segmentInputs(mesh);
+  SegmentOptions options = charts(20);
+  const auto alone = finished("vsa", in, options)->state();
+  options.even = EvenGrowth::Error;
+  const auto even = finished("vsa", in, options)->state();
+  const Balance balance = balanceOfErrors(*mesh, *even);
+  EXPECT_LE(balance.stdOverMean(), GetParam().deviation);
+  EXPECT_LE(balance.max / balance.mean, 1.16);
+  EXPECT_LE(vsaCost(*mesh, even->label, 20), GetParam().energy * vsaCost(*mesh, alone->label, 20));
+  EXPECT_GT(balanceOfErrors(*mesh, *alone).stdOverMean(), 0.3);
+}
+
+TEST_P(EvenErrors, OfPathsAreTheSameForEveryChartOfMcgim) {
+  const auto mesh = test::realMesh(GetParam().mesh);
+  if (!mesh) GTEST_SKIP() << "the folder of real meshes is absent";
+  const auto in = test::segmentInputs(mesh);
+  SegmentOptions options = charts(20);
+  const auto alone = finished("mcgim", in, options);
+  options.even = EvenGrowth::Error;
+  const auto even = finished("mcgim", in, options);
+  // The log has the cost of the path to each face.
+  const auto balance = [](const Stepper& stepper) {
+    std::vector<double> cost(20, 0);
+    const FloodRecord& log = *stepper.record();
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      cost[log[i].chart] += static_cast<double>(log[i].time);
+    }
+    return balanceOf(cost);
+  };
+  const auto cost = [](const Stepper& s) { return s.history()[s.bestIteration()].cost; };
+  EXPECT_LE(balance(*even).stdOverMean(), GetParam().deviation);
+  EXPECT_LE(balance(*even).max / balance(*even).mean, 1.16);
+  EXPECT_GT(balance(*alone).stdOverMean(), 0.2);
+  EXPECT_LE(cost(*even), 1.35 * cost(*alone));
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST(ParameterTable, HasOneRowForEveryMember) {
         info.member);
   }
   const Parameters defaults;
-  EXPECT_EQ(parameterTable().size(), 39u);
+  EXPECT_EQ(parameterTable().size(), 41u);
   EXPECT_NE(changed.weld, defaults.weld);
   EXPECT_NE(changed.method, defaults.method);
   EXPECT_NE(changed.vsaSeeding, defaults.vsaSeeding);
