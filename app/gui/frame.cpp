@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kNever = 1e9;
 constexpr float kLeftWidth = 330, kRightWidth = 370;
+constexpr float kWide = 1600, kWideShare = 0.33f;
 constexpr float kLeastPane = 250, kLeastView = 240;
 constexpr float kWholeTabNames = 320;
 constexpr float kToolHeight = 46, kTimelineHeight = 70, kStatusHeight = 30;
@@ -69,7 +70,9 @@ Frame::Layout Frame::layOut() {
   if (!laidOut_) {
     laidOut_ = true;
     memory_.leftWidth = theme_.px(kLeftWidth);
-    memory_.rightWidth = theme_.px(kRightWidth);
+    // A wide screen has room for a larger texture.
+    const bool wide = layout.screen.x >= theme_.px(kWide);
+    memory_.rightWidth = wide ? std::round(kWideShare * layout.screen.x) : theme_.px(kRightWidth);
     state_.panels.rightWanted = layout.screen.x >= kNarrow * theme_.scale;
     state_.panels.right = state_.panels.rightWanted;
   }

@@ -4,8 +4,12 @@
 #include <cstddef>
 #include <vector>
 
+#include <glm/exponential.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
+
+#include "core/base/index.h"
+#include "core/model/mesh.h"
 
 namespace chartflood {
 
@@ -32,5 +36,18 @@ struct Atlas {
   int margin = 0;         ///< pixels; less than asked for where many charts leave no room for it
   double efficiency = 0;  ///< share of the texture that charts cover
 };
+
+/// Pixels of the texture per unit of the model, over all charts as one: the root of their pixels
+/// over their surface. 0 where nothing is placed.
+inline double texelDensity(const Atlas& atlas, const Mesh& mesh) {
+  const double units = mesh.scale() * glm::sqrt(mesh.surfaceArea());
+  return units > 0 ? atlas.textureSize * glm::sqrt(atlas.efficiency) / units : 0;
+}
+
+/// The same of one chart; 0 where it is not placed.
+inline double texelDensity(const Atlas& atlas, const Mesh& mesh, Index chart) {
+  const bool placed = chart < atlas.placement.size() && atlas.placement[chart].placed();
+  return placed ? atlas.textureSize * atlas.placement[chart].scale / mesh.scale() : 0;
+}
 
 }  // namespace chartflood

@@ -102,6 +102,7 @@ struct ResultReport {
   std::optional<double> cutLength;          ///< the part of cuts; absent before cutting
   std::optional<double> creaseShare;        ///< of the length of sharp edges, on borders of charts
   std::optional<StretchReport> stretch;     ///< absent when no chart is laid flat
+  std::optional<double> texelDensity;       ///< pixels per unit of the model
   std::optional<double> packingEfficiency;  ///< share of the texture that charts cover
   std::vector<AboveLimit> aboveLimit;       ///< ascending by chart
   std::vector<IterationReport> history;

@@ -60,6 +60,7 @@ TEST(Report, HasEveryKeyOfTheFormat) {
                                   "cut_length",
                                   "crease_share",
                                   "packing_efficiency",
+                                  "texel_density",
                                   "above_limit",
                                   "history",
                                   "seed_runs",
@@ -143,6 +144,7 @@ TEST(Report, NumbersAreFiniteAndAddUp) {
   EXPECT_LE(stretch["l2_median"].get<double>(), stretch["l2_max"].get<double>());
   EXPECT_GT(result["packing_efficiency"].get<double>(), 0.4);
   EXPECT_LT(result["packing_efficiency"].get<double>(), 1);
+  EXPECT_GT(result["texel_density"].get<double>(), 0);
   EXPECT_EQ(report["input"]["genus"], 2);
   EXPECT_EQ(result["iterations"].get<std::size_t>(), result["history"].size());
 }

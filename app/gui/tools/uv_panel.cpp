@@ -187,8 +187,12 @@ std::string figures(const AppState& state) {
   const Results& results = state.results();
   if (!results.atlas) return "";
   if (!results.flat) return state.changing() || state.status().busy ? "" : "Out of date: press W";
-  char text[96];
-  std::snprintf(text, sizeof text, "%.0f %% of the texture used", 100 * results.atlas->efficiency);
+  const Index chart = state.hoveredChart();
+  const double own = texelDensity(*results.atlas, *results.mesh, chart);
+  const double density = own > 0 ? own : texelDensity(*results.atlas, *results.mesh);
+  char text[128];
+  std::snprintf(text, sizeof text, "%.0f %% used   %.4g px/unit%s", 100 * results.atlas->efficiency,
+                density, own > 0 ? (" (chart " + std::to_string(chart) + ")").c_str() : "");
   return text;
 }
 

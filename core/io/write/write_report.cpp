@@ -190,6 +190,7 @@ Json resultJson(const ResultReport& result) {
           {"cut_length", number(result.cutLength)},
           {"crease_share", number(result.creaseShare)},
           {"packing_efficiency", number(result.packingEfficiency)},
+          {"texel_density", number(result.texelDensity)},
           {"above_limit", aboveLimitJson(result.aboveLimit)},
           {"history", historyJson(result.history)},
           {"seed_runs", runsJson(result.seedRuns)},

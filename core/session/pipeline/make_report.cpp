@@ -140,6 +140,7 @@ void addCharts(ResultReport& report, const Results& results) {
   report.cutLength = cutLength;
   report.stretch = stretchReport(report.perChart);
   report.packingEfficiency = results.atlas->efficiency;
+  report.texelDensity = texelDensity(*results.atlas, *results.mesh);
   const double limit = stretchLimit(results.parameters, results.chartRuns != nullptr);
   for (const Index c : chartsAbove(limit, *results.unwrap)) {
     report.aboveLimit.push_back({c, results.unwrap->charts[c].distortion.l2, limit});
