@@ -285,6 +285,17 @@ TEST_F(Program, ParametersChangeTheResult) {
   }
 }
 
+TEST_F(Program, SaysWhereEvenOutSaysNothing) {
+  const std::string sentence = "T-flooding evens out Gauss area";
+  for (const char* even : {"area", "off", "error", "auto"}) {
+    const ProgramRun done = run({"--sample=bumps", "--triangles=500", "--even=" + std::string(even),
+                                 "--export-labels=labels.txt"});
+    ASSERT_EQ(done.exitCode, 0) << done.errors;
+    const bool own = even == std::string("error") || even == std::string("auto");
+    EXPECT_EQ(done.errors.find(sentence) == std::string::npos, own) << even;
+  }
+}
+
 TEST_F(Program, PicturesHaveTheSizeAndGroundAskedFor) {
   const ProgramRun done = run({"--sample=sphere", "--output=a.png", "--resolution=200,100",
                                "--background=transparent", "--supersampling=1"});

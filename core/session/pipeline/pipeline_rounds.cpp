@@ -119,6 +119,10 @@ void Pipeline::makeStepper(std::size_t maxIterations, std::optional<std::uint32_
   options.even = p.even == "error"  ? EvenGrowth::Error
                  : p.even == "area" ? EvenGrowth::Area
                                     : EvenGrowth::Off;
+  const bool evensOther = p.even == "area" || p.even == "off";
+  if (depth_ == Depth::Whole && segmenterOf(p.method).balances && evensOther) {
+    tell(Notice::Kind::Warning, "T-flooding evens out Gauss area, whatever \"Even out\" says.");
+  }
   options.vsa = {vsaSeeding(p.vsaSeeding), p.vsaTeleport};
   options.mcgim = {p.mcgimLambda, p.mcgimNormals == "running", p.mcgimDisks};
   run_.onFlood = std::make_shared<std::function<void(const FloodBegun&)>>(
