@@ -14,7 +14,7 @@ namespace chartflood {
 
 namespace {
 
-glm::vec3 placeOf(const SurfaceVertices& list, std::size_t corner) {
+glm::vec3 cornerPlace(const SurfaceVertices& list, std::size_t corner) {
   const auto& place = list.vertices[list.indices[corner]].place;
   return {place[0], place[1], place[2]};
 }
@@ -27,7 +27,7 @@ TEST(SurfaceVertices, AreOneAVertexWithoutNormals) {
   EXPECT_EQ(list->vertices.size(), mesh->vertexCount());
   ASSERT_EQ(list->indices.size(), 3 * mesh->triangleCount());
   for (std::size_t c = 0; c < list->indices.size(); ++c) {
-    EXPECT_EQ(placeOf(*list, c), glm::vec3(mesh->positions()[mesh->triangles()[c / 3][c % 3]]));
+    EXPECT_EQ(cornerPlace(*list, c), glm::vec3(mesh->positions()[mesh->triangles()[c / 3][c % 3]]));
   }
 }
 
@@ -48,7 +48,7 @@ TEST(SurfaceVertices, ArePartedWhereTexturePlacesDiffer) {
   ASSERT_EQ(parted->indices.size(), whole->indices.size());
   for (std::size_t c = 0; c < corners.size(); ++c) {
     EXPECT_EQ(parted->texture[parted->indices[c]], corners[c]);
-    EXPECT_EQ(placeOf(*parted, c), placeOf(*whole, c));
+    EXPECT_EQ(cornerPlace(*parted, c), cornerPlace(*whole, c));
     EXPECT_EQ(parted->vertices[parted->indices[c]].normal,
               whole->vertices[whole->indices[c]].normal);
   }
